@@ -1,0 +1,1 @@
+//! Evaluates a syntax tree to a solid tree: values, scopes, built-ins, live numbers.

@@ -1,0 +1,13 @@
+//! The solid tree as plain data: shapes, operators, materials, camera.
+//!
+//! It is what the evaluator answers and what the field is lowered from. It knows no text beyond spans.
+
+pub mod affine;
+pub mod scalar;
+pub mod scene;
+pub mod tree;
+
+pub use affine::Affine;
+pub use scalar::{LiveParameter, ParameterId, Scalar};
+pub use scene::{Camera, Material, Scene};
+pub use tree::{Boolean, Dimension, Joint, Profile, Solid, SolidKind};

@@ -1,0 +1,221 @@
+//! The functions that live numbers may pass through.
+
+use super::range;
+use chiaro_vocabulary::Interval;
+
+/// A function of one or more numbers. Angles are in degrees, as in scenes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[expect(missing_docs, reason = "the names say it; those that don't, do")]
+pub enum Function {
+    Negate,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    /// The remainder with the dividend's sign.
+    Modulo,
+    Power,
+    Min,
+    Max,
+    Abs,
+    Sign,
+    Sqrt,
+    Exp,
+    /// The natural logarithm.
+    Ln,
+    /// The logarithm to base 10.
+    Log,
+    Floor,
+    Ceil,
+    /// To the nearest integer, halves away from zero.
+    Round,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Atan2,
+    /// 1 if the first number is less than the second, else 0.
+    Less,
+    /// 1 if the first number is at most the second, else 0.
+    LessEqual,
+    /// The second number if the first is not zero, else the third.
+    Select,
+    /// The least singular value of a 3 × 3 matrix, given by rows: what it scales lengths by at the least.
+    SmallestSingularValue,
+}
+
+impl Function {
+    /// Its value. There are as many arguments as the function takes.
+    pub fn value(self, x: &[f64]) -> f64 {
+        match self {
+            Function::Negate => -x[0],
+            Function::Add => x[0] + x[1],
+            Function::Subtract => x[0] - x[1],
+            Function::Multiply => x[0] * x[1],
+            Function::Divide => x[0] / x[1],
+            Function::Modulo => x[0] % x[1],
+            Function::Power => x[0].powf(x[1]),
+            Function::Min => x[0].min(x[1]),
+            Function::Max => x[0].max(x[1]),
+            Function::Abs => x[0].abs(),
+            Function::Sign => sign(x[0]),
+            Function::Sqrt => x[0].sqrt(),
+            Function::Exp => x[0].exp(),
+            Function::Ln => x[0].ln(),
+            Function::Log => x[0].log10(),
+            Function::Floor => x[0].floor(),
+            Function::Ceil => x[0].ceil(),
+            Function::Round => x[0].round(),
+            Function::Sin => degrees::sin(x[0]),
+            Function::Cos => degrees::cos(x[0]),
+            Function::Tan => degrees::tan(x[0]),
+            Function::Asin => degrees::asin(x[0]),
+            Function::Acos => degrees::acos(x[0]),
+            Function::Atan => degrees::atan(x[0]),
+            Function::Atan2 => degrees::atan2(x[0], x[1]),
+            Function::Less => f64::from(x[0] < x[1]),
+            Function::LessEqual => f64::from(x[0] <= x[1]),
+            Function::Select => {
+                if x[0] != 0.0 {
+                    x[1]
+                } else {
+                    x[2]
+                }
+            }
+            Function::SmallestSingularValue => smallest_singular_value(x),
+        }
+    }
+
+    /// Bounds of its value for arguments within these ranges.
+    pub fn range(self, x: &[Interval]) -> Interval {
+        range::of(self, x)
+    }
+}
+
+/// OpenSCAD's sign: 0 for zero.
+fn sign(x: f64) -> f64 {
+    if x > 0.0 {
+        1.0
+    } else if x < 0.0 {
+        -1.0
+    } else {
+        0.0
+    }
+}
+
+/// The square root of the least eigenvalue of MᵀM, by the closed form for symmetric 3 × 3 matrices (Smith 1961).
+fn smallest_singular_value(m: &[f64]) -> f64 {
+    let dot = |i: usize, j: usize| (0..3).map(|k| m[3 * k + i] * m[3 * k + j]).sum::<f64>();
+    let (a, b, c) = (dot(0, 0), dot(1, 1), dot(2, 2));
+    let (d, e, f) = (dot(0, 1), dot(1, 2), dot(0, 2));
+    let mean = (a + b + c) / 3.0;
+    let spread = ((a - mean).powi(2) + (b - mean).powi(2) + (c - mean).powi(2) + 2.0 * (d * d + e * e + f * f)) / 6.0;
+    if spread <= 1e-30 * mean * mean {
+        return mean.max(0.0).sqrt();
+    }
+    let p = spread.sqrt();
+    let (a, b, c, d, e, f) = ((a - mean) / p, (b - mean) / p, (c - mean) / p, d / p, e / p, f / p);
+    let half_det = 0.5 * (a * (b * c - e * e) - d * (d * c - e * f) + f * (d * e - b * f));
+    let angle = half_det.clamp(-1.0, 1.0).acos() / 3.0;
+    let least = mean + 2.0 * p * (angle + 2.0 * std::f64::consts::FRAC_PI_3).cos();
+    least.max(0.0).sqrt()
+}
+
+/// Trigonometry in degrees, exact where the result is a simple number.
+pub mod degrees {
+    /// The sine; exact at multiples of 30°.
+    pub fn sin(angle: f64) -> f64 {
+        if !angle.is_finite() {
+            return f64::NAN;
+        }
+        // Reduce to [0, 360), then to the first quadrant, where the exact values are.
+        let turn = angle.rem_euclid(360.0);
+        let (half, negative) = if turn >= 180.0 { (turn - 180.0, true) } else { (turn, false) };
+        let quarter = if half > 90.0 { 180.0 - half } else { half };
+        let value = match quarter {
+            0.0 => 0.0,
+            30.0 => 0.5,
+            90.0 => 1.0,
+            45.0 => std::f64::consts::FRAC_1_SQRT_2,
+            60.0 => 0.75f64.sqrt(),
+            _ => quarter.to_radians().sin(),
+        };
+        if negative && value != 0.0 { -value } else { value }
+    }
+
+    /// The cosine; exact at multiples of 30°.
+    pub fn cos(angle: f64) -> f64 {
+        sin(angle.rem_euclid(360.0) + 90.0)
+    }
+
+    /// The tangent; exact at multiples of 45°.
+    pub fn tan(angle: f64) -> f64 {
+        match angle.rem_euclid(180.0) {
+            0.0 => 0.0,
+            45.0 => 1.0,
+            90.0 => f64::INFINITY.copysign(90.0 - angle.rem_euclid(360.0) + 1.0),
+            135.0 => -1.0,
+            _ => sin(angle) / cos(angle),
+        }
+    }
+
+    /// The angle of that sine, from −90° to 90°.
+    pub fn asin(x: f64) -> f64 {
+        exact(x.asin().to_degrees(), |angle| sin(angle) == x)
+    }
+
+    /// The angle of that cosine, from 0° to 180°.
+    pub fn acos(x: f64) -> f64 {
+        exact(x.acos().to_degrees(), |angle| cos(angle) == x)
+    }
+
+    /// The angle of that tangent, from −90° to 90°.
+    pub fn atan(x: f64) -> f64 {
+        exact(x.atan().to_degrees(), |angle| tan(angle) == x)
+    }
+
+    /// The angle of the point (x, y), from −180° to 180°.
+    pub fn atan2(y: f64, x: f64) -> f64 {
+        let angle = y.atan2(x).to_degrees();
+        exact(angle, |rounded| (rounded - angle).abs() < 1e-13 * 360.0)
+    }
+
+    /// The nearest multiple of 15° if it fits, else the angle as it is.
+    fn exact(angle: f64, fits: impl Fn(f64) -> bool) -> f64 {
+        let rounded = (angle / 15.0).round() * 15.0;
+        if (rounded - angle).abs() < 1e-9 && fits(rounded) { rounded } else { angle }
+    }
+
+    #[cfg(test)]
+    mod tests {
+        use super::*;
+
+        #[test]
+        fn simple_angles_have_simple_values() {
+            assert_eq!((sin(30.0), sin(150.0), sin(210.0), sin(-30.0)), (0.5, 0.5, -0.5, -0.5));
+            assert_eq!((cos(60.0), cos(90.0), cos(-120.0), cos(720.0)), (0.5, 0.0, -0.5, 1.0));
+            assert_eq!((tan(45.0), tan(135.0), tan(-45.0)), (1.0, -1.0, -1.0));
+            assert_eq!((tan(90.0), tan(270.0)), (f64::INFINITY, f64::NEG_INFINITY));
+            assert_eq!((asin(0.5), acos(0.5), atan(1.0), atan2(1.0, -1.0)), (30.0, 60.0, 45.0, 135.0));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_smallest_singular_value_of_known_matrices() {
+        let close = |m: [f64; 9], expected: f64| {
+            let least = Function::SmallestSingularValue.value(&m);
+            assert!((least - expected).abs() < 1e-7, "{m:?}: {least}");
+        };
+        close([1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], 1.0);
+        close([0.0, -3.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 5.0], 2.0);
+        close([1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], 0.618_033_988_749_895);
+        close([1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0], 0.0);
+    }
+}

@@ -1,0 +1,1 @@
+//! The compiler from CSG scenes to shader code: the whole pipeline behind one call.

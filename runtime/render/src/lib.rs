@@ -1,0 +1,1 @@
+//! Draws a compiled scene with wgpu: devices, pipelines, progressive pictures, readback.

@@ -1,0 +1,1 @@
+//! The test suite: scenes as text in, diagnostics, facts, distances and small pictures out.
