@@ -76,7 +76,7 @@ fn power(base: Interval, exponent: Interval) -> Interval {
 
 /// The sine of angles in degrees: its values at the ends, and ±1 where a crest or trough lies between.
 fn sine(x: Interval) -> Interval {
-    if !(x.max - x.min < 360.0) {
+    if !x.min.is_finite() || !x.max.is_finite() || x.max - x.min >= 360.0 {
         return Interval { min: -1.0, max: 1.0 };
     }
     let crosses = |angle: f64| ((x.min - angle) / 360.0).ceil() * 360.0 + angle <= x.max;

@@ -1,0 +1,61 @@
+//! The modules that make geometry: from arguments and children to solids.
+//!
+//! This is all of the language that knows shapes; scopes, control flow and functions are elsewhere. Each module is a
+//! function from a [`Call`] to a solid.
+
+use std::sync::Arc;
+
+use chiaro_solid::{Scalar, Solid};
+use chiaro_syntax::{Diagnostic, Span};
+
+use crate::value::Value;
+
+/// A built-in module's instance, its arguments evaluated and its children built.
+pub(crate) struct Call<'a> {
+    /// The module's name.
+    pub(crate) name: &'a str,
+    /// Name and arguments in the text.
+    pub(crate) head: Span,
+    /// The arguments in order, each with its parameter's name if it was given, and its place.
+    pub(crate) arguments: Vec<Argument>,
+    /// `$fn`, `$fa` and `$fs` as they are for this instance.
+    pub(crate) facets: FacetVariables,
+    /// What the children came to, in order, the empty ones included (they count as operands).
+    pub(crate) children: Vec<Arc<Solid>>,
+}
+
+/// An argument of a [`Call`].
+pub(crate) struct Argument {
+    /// The parameter's name, if it was given.
+    pub(crate) name: Option<Arc<str>>,
+    /// Its value.
+    pub(crate) value: Value,
+    /// Its value's place in the text.
+    pub(crate) span: Span,
+}
+
+/// OpenSCAD's special variables for the resolution of curves.
+#[derive(Clone, Debug)]
+pub(crate) struct FacetVariables {
+    pub(crate) number: Value,
+    pub(crate) angle: Value,
+    pub(crate) size: Value,
+}
+
+/// Why there is no solid.
+pub(crate) enum Stop {
+    /// An error to report. The scene has no picture, but evaluation goes on to find more.
+    Error(Box<Diagnostic>),
+    /// A live number would have to be known here: its parameters become structural, and evaluation starts again.
+    Demote(Box<Demotion>),
+}
+
+/// A live number that decides the structure of the scene.
+pub(crate) struct Demotion {
+    /// The number.
+    pub(crate) number: Scalar,
+    /// Where it would have to be known.
+    pub(crate) span: Span,
+    /// What for, as in "a list index".
+    pub(crate) reason: &'static str,
+}
