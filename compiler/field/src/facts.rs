@@ -1,0 +1,15 @@
+//! What is known of a node.
+
+use chiaro_vocabulary::{Bounds, Class};
+
+/// Sound facts of one node, for every value of the live parameters within their ranges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facts {
+    /// A box of the world around the node's solid. For plane shapes asked at a flattened point, z is unbounded.
+    pub bounds: Bounds,
+    /// What its values are, once divided by the Lipschitz constant.
+    pub class: Class,
+    /// The Lipschitz constant: the greatest slope of the node's value anywhere. The value itself is not divided by
+    /// it: marching steps by value / L, while joints, offsets and normals use the value.
+    pub lipschitz: f64,
+}
