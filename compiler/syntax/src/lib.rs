@@ -1,0 +1,20 @@
+//! The scene language's text: source files, tokens, parser, syntax tree, printer and diagnostics.
+//!
+//! This crate knows no geometry and never fails: [`parse`] answers a tree for any text at all, together with
+//! the diagnostics of whatever was wrong with it.
+
+pub mod diagnostic;
+pub mod source;
+pub mod tree;
+
+mod customizer;
+mod lexer;
+mod parser;
+mod string;
+mod token;
+
+pub use diagnostic::{Diagnostic, Label, Severity};
+pub use lexer::tokens;
+pub use parser::{Dialect, MAX_FILE_BYTES, MAX_NODES, parse};
+pub use source::{FileId, SourceFile, Sources, Span, Spanned};
+pub use token::{Token, TokenKind};

@@ -1,0 +1,294 @@
+//! Expressions.
+//!
+//! A function with a parameter `first` takes up an expression whose first operand has been read already: behind
+//! `[(` only the text behind `)` tells whether there was a list comprehension or an operand.
+
+use std::sync::Arc;
+
+use super::Parser;
+use crate::source::Span;
+use crate::token::TokenKind;
+use crate::tree::{Argument, BinaryOperator, Expression, ExpressionKind, FunctionLiteral, Parameter, UnaryOperator};
+
+impl Parser<'_> {
+    /// Reads an expression. If there is none, that is reported and nothing is read.
+    pub(super) fn expression(&mut self) -> Expression {
+        self.nested(Self::any_expression).unwrap_or_else(|| self.nothing())
+    }
+
+    fn any_expression(&mut self) -> Expression {
+        match self.token.kind {
+            TokenKind::Function => self.function_literal(),
+            TokenKind::Let => self.let_expression(),
+            TokenKind::Assert => self.check(ExpressionKind::Assert),
+            TokenKind::Echo => self.check(ExpressionKind::Echo),
+            _ => self.conditional(None),
+        }
+    }
+
+    /// An expression that stands for what could not be read, at the next token.
+    pub(super) fn nothing(&self) -> Expression {
+        let start = self.token.start;
+        Expression::new(ExpressionKind::Error, Span { file: self.file, start, end: start })
+    }
+
+    fn function_literal(&mut self) -> Expression {
+        let start = self.bump().start;
+        let parameters = self.parameters();
+        let body = self.expression();
+        let kind = ExpressionKind::Function(Arc::new(FunctionLiteral { parameters, body }));
+        Expression::new(kind, self.span_from(start))
+    }
+
+    fn let_expression(&mut self) -> Expression {
+        let start = self.bump().start;
+        let bindings = self.arguments();
+        let body = self.expression();
+        Expression::new(ExpressionKind::Let(bindings, body), self.span_from(start))
+    }
+
+    /// `assert (…) body` or `echo (…) body`, where the body may be left out.
+    fn check(&mut self, kind: fn(Vec<Argument>, Option<Expression>) -> ExpressionKind) -> Expression {
+        let start = self.bump().start;
+        let arguments = self.arguments();
+        let body = self.token.kind.begins_expression().then(|| self.expression());
+        Expression::new(kind(arguments, body), self.span_from(start))
+    }
+
+    /// Reads a `?:` or what binds tighter.
+    pub(super) fn conditional(&mut self, first: Option<Expression>) -> Expression {
+        let deepest_before = if first.is_some() { self.deepest } else { self.begin_chain() };
+        let mut condition = self.binary(0, first);
+        if self.at(TokenKind::Question) && self.deepen_chain() {
+            self.bump();
+            let yes = self.expression();
+            let no = if self.eat(TokenKind::Colon) {
+                self.expression()
+            } else {
+                let error = self.unexpected("`:`").with_hint("write `condition ? one value : another`");
+                self.error(error);
+                self.nothing()
+            };
+            let span = condition.span.to(self.gap());
+            condition = Expression::new(ExpressionKind::Conditional { condition, yes, no }, span);
+        }
+        self.end_chain(deepest_before);
+        condition
+    }
+
+    /// Reads operators that bind at least as tight as `tightness`, by precedence climbing.
+    fn binary(&mut self, tightness: u8, first: Option<Expression>) -> Expression {
+        let deepest_before = if first.is_some() { self.deepest } else { self.begin_chain() };
+        let mut left = self.unary(first);
+        while let Some((operator, binding)) = binary_operator(self.token.kind)
+            && binding >= tightness
+            && self.deepen_chain()
+        {
+            self.bump();
+            let right = self.nested(|parser| parser.binary(binding + 1, None));
+            let right = right.unwrap_or_else(|| self.nothing());
+            left = binary(operator, left, right);
+        }
+        self.end_chain(deepest_before);
+        left
+    }
+
+    fn unary(&mut self, first: Option<Expression>) -> Expression {
+        let operator = match self.token.kind {
+            _ if first.is_some() => return self.power(first),
+            TokenKind::Minus => UnaryOperator::Negate,
+            TokenKind::Plus => UnaryOperator::Plus,
+            TokenKind::Bang => UnaryOperator::Not,
+            TokenKind::Tilde => UnaryOperator::BitNot,
+            _ => return self.power(None),
+        };
+        let start = self.bump().start;
+        let operand = self.nested(|parser| parser.unary(None)).unwrap_or_else(|| self.nothing());
+        Expression::new(ExpressionKind::Unary(operator, operand), self.span_from(start))
+    }
+
+    /// Reads `base ^ exponent`, which binds tighter than a sign in front and looser than one behind.
+    fn power(&mut self, first: Option<Expression>) -> Expression {
+        let deepest_before = if first.is_some() { self.deepest } else { self.begin_chain() };
+        let mut base = self.applied(first);
+        if self.at(TokenKind::Caret) && self.deepen_chain() {
+            self.bump();
+            let exponent = self.nested(|parser| parser.unary(None)).unwrap_or_else(|| self.nothing());
+            base = binary(BinaryOperator::Power, base, exponent);
+        }
+        self.end_chain(deepest_before);
+        base
+    }
+
+    /// Reads an operand with the calls, indices and members behind it.
+    fn applied(&mut self, first: Option<Expression>) -> Expression {
+        let mut base = first.unwrap_or_else(|| self.operand());
+        loop {
+            let is_applied =
+                matches!(self.token.kind, TokenKind::OpenParenthesis | TokenKind::OpenBracket | TokenKind::Dot);
+            if !is_applied || !self.deepen_chain() {
+                return base;
+            }
+            let start = base.span;
+            let kind = match self.token.kind {
+                TokenKind::OpenParenthesis => ExpressionKind::Call(base, self.arguments()),
+                TokenKind::OpenBracket => {
+                    let opener = self.open();
+                    let index = self.expression();
+                    self.close(opener, "`]`");
+                    ExpressionKind::Index(base, index)
+                }
+                _ => {
+                    self.bump();
+                    let Some(member) = self.eat_name() else {
+                        let error = self.unexpected("the name of a member, such as `x`");
+                        self.error(error);
+                        return base;
+                    };
+                    ExpressionKind::Member(base, member)
+                }
+            };
+            base = Expression::new(kind, start.to(self.gap()));
+        }
+    }
+
+    fn operand(&mut self) -> Expression {
+        let start = self.token.start;
+        let kind = match self.token.kind {
+            TokenKind::Number => self.number(),
+            TokenKind::String | TokenKind::RawString | TokenKind::UnclosedString => self.string(),
+            TokenKind::Name => ExpressionKind::Name(self.bump_name().node),
+            TokenKind::True | TokenKind::False => ExpressionKind::Bool(self.bump().kind == TokenKind::True),
+            TokenKind::Undef => {
+                self.bump();
+                ExpressionKind::Undef
+            }
+            TokenKind::OpenBracket => self.list_or_range(),
+            TokenKind::OpenParenthesis => return self.parenthesised(),
+            _ => return self.no_operand(),
+        };
+        Expression::new(kind, self.span_from(start))
+    }
+
+    /// Reads `( … )`. The brackets are no node, but part of the span.
+    fn parenthesised(&mut self) -> Expression {
+        let opener = self.open();
+        let inside = self.expression();
+        self.close(opener, "`)`");
+        Expression { span: self.span_from(opener.start), ..inside }
+    }
+
+    /// Reports what stands where an operand should.
+    fn no_operand(&mut self) -> Expression {
+        let error = self.unexpected("an expression");
+        let word = &self.text[self.token.range()];
+        match self.token.kind {
+            TokenKind::Function | TokenKind::Let | TokenKind::Assert | TokenKind::Echo => {
+                self.error(error.with_hint(format!("an operand that begins with `{word}` stands in parentheses")));
+                return self.expression();
+            }
+            TokenKind::OpenBrace => {
+                self.error(error.with_hint("a list stands in brackets: `[1, 2]`"));
+                let start = self.token.start;
+                self.skip_braces();
+                return Expression::new(ExpressionKind::Error, self.span_from(start));
+            }
+            TokenKind::If => self.error(error.with_hint("an expression chooses with `condition ? one value : another`")),
+            TokenKind::For | TokenKind::Each => {
+                self.error(error.with_hint(format!("in expressions, `{word}` stands in a list: `[for (i = [0:9]) i]`")));
+            }
+            TokenKind::Comma => self.error(error.with_hint("only one comma may follow a value")),
+            _ => self.error(error),
+        }
+        self.nothing()
+    }
+
+    /// Reads `( name = value, value, … )`. If there is no `(`, that is reported and nothing is read.
+    pub(super) fn arguments(&mut self) -> Vec<Argument> {
+        if !self.at(TokenKind::OpenParenthesis) {
+            let error = self.unexpected("`(`");
+            self.error(error);
+            return Vec::new();
+        }
+        let opener = self.open();
+        let arguments = self.argument_list(opener);
+        self.close(opener, "`,` or `)`");
+        arguments
+    }
+
+    /// Reads arguments up to the `)` of `opener`, or a `;`.
+    pub(super) fn argument_list(&mut self, opener: crate::token::Token) -> Vec<Argument> {
+        let mut arguments = Vec::new();
+        while !matches!(self.token.kind, TokenKind::CloseParenthesis | TokenKind::Semicolon | TokenKind::End) {
+            arguments.push(self.argument());
+            if !self.next_item(opener, TokenKind::CloseParenthesis) {
+                break;
+            }
+        }
+        arguments
+    }
+
+    fn argument(&mut self) -> Argument {
+        let is_named = self.at(TokenKind::Name) && self.ahead.kind == TokenKind::Assign;
+        let name = is_named.then(|| {
+            let name = self.bump_name();
+            self.bump();
+            name
+        });
+        Argument { name, value: self.expression() }
+    }
+
+    /// Reads `( name, name = default, … )`. If there is no `(`, that is reported and nothing is read.
+    pub(super) fn parameters(&mut self) -> Vec<Parameter> {
+        let mut parameters = Vec::new();
+        if !self.at(TokenKind::OpenParenthesis) {
+            let error = self.unexpected("`(`");
+            self.error(error);
+            return parameters;
+        }
+        let opener = self.open();
+        while !matches!(self.token.kind, TokenKind::CloseParenthesis | TokenKind::End) {
+            if let Some(name) = self.eat_name() {
+                let default = self.eat(TokenKind::Assign).then(|| self.expression());
+                parameters.push(Parameter { name, default });
+            } else {
+                let error = self.unexpected("the name of a parameter");
+                self.error(error);
+            }
+            if !self.next_item(opener, TokenKind::CloseParenthesis) {
+                break;
+            }
+        }
+        self.close(opener, "`,` or `)`");
+        parameters
+    }
+}
+
+fn binary(operator: BinaryOperator, left: Expression, right: Expression) -> Expression {
+    let span = left.span.to(right.span);
+    Expression::new(ExpressionKind::Binary(operator, left, right), span)
+}
+
+/// The operator that a token is, and how tight it binds. All but `^` associate to the left.
+fn binary_operator(kind: TokenKind) -> Option<(BinaryOperator, u8)> {
+    Some(match kind {
+        TokenKind::BarBar => (BinaryOperator::Or, 0),
+        TokenKind::AmpersandAmpersand => (BinaryOperator::And, 1),
+        TokenKind::Equal => (BinaryOperator::Equal, 2),
+        TokenKind::NotEqual => (BinaryOperator::NotEqual, 2),
+        TokenKind::Greater => (BinaryOperator::Greater, 3),
+        TokenKind::GreaterEqual => (BinaryOperator::GreaterEqual, 3),
+        TokenKind::Less => (BinaryOperator::Less, 3),
+        TokenKind::LessEqual => (BinaryOperator::LessEqual, 3),
+        TokenKind::Bar => (BinaryOperator::BitOr, 4),
+        TokenKind::Ampersand => (BinaryOperator::BitAnd, 5),
+        TokenKind::ShiftLeft => (BinaryOperator::ShiftLeft, 6),
+        TokenKind::ShiftRight => (BinaryOperator::ShiftRight, 6),
+        TokenKind::Plus => (BinaryOperator::Add, 7),
+        TokenKind::Minus => (BinaryOperator::Subtract, 7),
+        TokenKind::Star => (BinaryOperator::Multiply, 8),
+        TokenKind::Slash => (BinaryOperator::Divide, 8),
+        TokenKind::Percent => (BinaryOperator::Modulo, 8),
+        _ => return None,
+    })
+}
