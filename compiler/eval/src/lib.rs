@@ -4,6 +4,9 @@
 //! [`Scalar`](chiaro_solid::Scalar)), everything else folds to constants. It knows nothing of fields.
 
 mod geometry;
+mod settings;
 mod value;
 
+pub use geometry::Facets;
+pub use settings::Settings;
 pub use value::Value;

@@ -8,7 +8,35 @@ use std::sync::Arc;
 use chiaro_solid::{Scalar, Solid};
 use chiaro_syntax::{Diagnostic, Span};
 
+use crate::settings::Settings;
 use crate::value::Value;
+
+mod facets;
+
+pub use facets::Facets;
+
+/// The solid of a built-in module's instance; none, if there is no such module.
+pub(crate) fn build(
+    call: Call,
+    settings: &Settings,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Option<Result<Arc<Solid>, Stop>> {
+    let _ = settings;
+    match call.name {
+        "group" => Some(Ok(union_of(call.children, call.head, diagnostics))),
+        _ => None,
+    }
+}
+
+/// The names of all built-in modules that make geometry.
+pub(crate) fn names() -> impl Iterator<Item = &'static str> {
+    ["group"].into_iter()
+}
+
+/// What some children are together. Empty ones are dropped, and so are those of another dimension than the first.
+pub(crate) fn union_of(children: Vec<Arc<Solid>>, span: Span, _diagnostics: &mut Vec<Diagnostic>) -> Arc<Solid> {
+    children.into_iter().next().unwrap_or_else(|| Solid::new(chiaro_solid::SolidKind::Empty, span))
+}
 
 /// A built-in module's instance, its arguments evaluated and its children built.
 pub(crate) struct Call<'a> {

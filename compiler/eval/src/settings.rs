@@ -1,0 +1,10 @@
+//! What the user of the compiler chooses.
+
+use crate::geometry::Facets;
+
+/// How scenes are evaluated.
+#[derive(Clone, Debug, Default)]
+pub struct Settings {
+    /// What an explicit `$fn` does to curves.
+    pub facets: Facets,
+}
