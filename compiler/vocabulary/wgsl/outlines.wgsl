@@ -1,0 +1,87 @@
+// Outlines and polytopes: distances reduced from their pieces, one call for each.
+
+// An outline of lines and arcs, possibly of several contours. The state is the squared distance to the pieces
+// so far and a sign that each piece flips where a ray from p towards +x crosses it: 1 outside, -1 inside of
+// an odd number of contours.
+fn outline_start() -> vec2<f32> {
+    return vec2(FAR * FAR, 1.0);
+}
+
+// Adds the line from a to b. A crossing counts if exactly one end is above p; so a shared end of two lines
+// counts once.
+fn outline_line(state: vec2<f32>, p: vec2<f32>, a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
+    let edge = b - a;
+    let from_a = p - a;
+    let gap = from_a - edge * clamp(dot(from_a, edge) / max(dot(edge, edge), TINY), 0.0, 1.0);
+    let crossed = outline_crosses(p, a, b);
+    return vec2(min(state.x, dot(gap, gap)), select(state.y, -state.y, crossed));
+}
+
+// Adds the arc around center from a over sweep radians to b, clockwise if negative, at most a full turn (then
+// a = b). a and b must be the very numbers its neighbours have, however they round: what the ray crosses is
+// the chord, and then the other side of the arc if p is in the circle and on the arc's side of the chord.
+fn outline_arc(
+    state: vec2<f32>, p: vec2<f32>, a: vec2<f32>, b: vec2<f32>, center: vec2<f32>, sweep: f32,
+) -> vec2<f32> {
+    let radius = length(a - center);
+    let from_center = p - center;
+    let q = length(from_center);
+    let middle = turned_back(a - center, -0.5 * sweep);
+    let in_sector = dot(from_center, middle) >= q * radius * cos(0.5 * sweep);
+    let to_end = min(dot(p - a, p - a), dot(p - b, p - b));
+    let squared = select(to_end, (q - radius) * (q - radius), in_sector);
+    let edge = b - a;
+    let left = edge.x * (p.y - a.y) - edge.y * (p.x - a.x) > 0.0;
+    let closed = (a.x == b.x) & (a.y == b.y);
+    let in_segment = (q < radius) & (closed | (left != (sweep > 0.0)));
+    let crossed = outline_crosses(p, a, b) != in_segment;
+    return vec2(min(state.x, squared), select(state.y, -state.y, crossed));
+}
+
+// Whether the ray from p towards +x crosses the line from a to b: one end is above p, and p is at the line's
+// left side if it goes up and at its right if it goes down.
+fn outline_crosses(p: vec2<f32>, a: vec2<f32>, b: vec2<f32>) -> bool {
+    let left = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) > 0.0;
+    return ((a.y > p.y) != (b.y > p.y)) & (left == (b.y > a.y));
+}
+
+// The signed distance to an outline whose pieces have all been added.
+fn outline_end(state: vec2<f32>) -> f32 {
+    return state.y * sqrt(state.x);
+}
+
+// A convex polytope of triangles. The state is the squared distance to the triangles so far and the largest
+// signed distance to their planes.
+fn polytope_start() -> vec2<f32> {
+    return vec2(FAR * FAR, -FAR);
+}
+
+// Adds the triangle a, b, c, anticlockwise seen from outside. One without an area adds no plane.
+fn polytope_triangle(
+    state: vec2<f32>, p: vec3<f32>, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>,
+) -> vec2<f32> {
+    let normal = cross(b - a, c - a);
+    let area = dot(normal, normal);
+    let degenerate = area < 1e-20;
+    let height = dot(normal, p - a) * inverseSqrt(max(area, 1e-20));
+    let left_ab = dot(cross(normal, b - a), p - a);
+    let left_bc = dot(cross(normal, c - b), p - b);
+    let left_ca = dot(cross(normal, a - c), p - c);
+    let to_ab = segment_squared(p - a, b - a);
+    let to_bc = segment_squared(p - b, c - b);
+    let to_ca = segment_squared(p - c, a - c);
+    let above = !degenerate & (min(left_ab, min(left_bc, left_ca)) >= 0.0);
+    let squared = select(min(to_ab, min(to_bc, to_ca)), height * height, above);
+    return vec2(min(state.x, squared), select(max(state.y, height), state.y, degenerate));
+}
+
+// The squared distance from q to the segment from the origin to edge.
+fn segment_squared(q: vec3<f32>, edge: vec3<f32>) -> f32 {
+    let gap = q - edge * clamp(dot(q, edge) / max(dot(edge, edge), TINY), 0.0, 1.0);
+    return dot(gap, gap);
+}
+
+// The signed distance to a convex polytope whose triangles have all been added: inside, the nearest plane's.
+fn polytope_end(state: vec2<f32>) -> f32 {
+    return select(state.y, sqrt(state.x), state.y > 0.0);
+}
