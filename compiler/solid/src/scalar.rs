@@ -58,6 +58,8 @@ pub struct Expression {
     pub operation: Operation,
     /// Bounds for all values of the parameters.
     range: Interval,
+    /// How many operations there are, shared ones counted each time.
+    size: u32,
     /// A hash of the operation, so that hashing and comparing need not walk the whole expression.
     hash: u64,
 }
@@ -99,7 +101,22 @@ impl Scalar {
             Operation::Parameter(id) => id.hash(&mut hasher),
             Operation::Apply(function, arguments) => (function, arguments).hash(&mut hasher),
         }
-        Scalar::Live(Arc::new(Expression { operation, range, hash: hasher.finish() }))
+        let size = match &operation {
+            Operation::Parameter(_) => 1,
+            Operation::Apply(_, arguments) => {
+                arguments.iter().fold(1u32, |sum, argument| sum.saturating_add(argument.size()))
+            }
+        };
+        Scalar::Live(Arc::new(Expression { operation, range, size, hash: hasher.finish() }))
+    }
+
+    /// How many operations it takes to compute it; none for a constant. What is shared counts each time, so that this
+    /// bounds every walk.
+    pub fn size(&self) -> u32 {
+        match self {
+            Scalar::Constant(_) => 0,
+            Scalar::Live(expression) => expression.size,
+        }
     }
 
     /// Its value, if it is a constant.
