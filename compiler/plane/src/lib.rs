@@ -2,10 +2,17 @@
 
 pub mod region;
 
+mod boolean;
 mod construct;
+mod contour;
 mod flatten;
+mod intersect;
 mod measure;
+mod offset;
+mod overlay;
+mod recover;
 mod transform;
 
 pub use flatten::{DEFAULT_TOLERANCE, default_tolerance};
+pub use offset::Join;
 pub use region::{Contour, Edge, Point, Region};

@@ -18,7 +18,7 @@ impl Region {
 
     /// Whether a point is inside: around it is an odd number of contours. On the outline it may say either.
     pub fn contains(&self, point: Point) -> bool {
-        self.edges().filter(|edge| edge.crosses(point)).count() % 2 == 1
+        self.contours.iter().fold(false, |odd, contour| odd ^ contour.surrounds(point))
     }
 
     /// The distance of a point from the outlines, in millimetres, negative inside; infinite if the region is empty.
@@ -38,6 +38,13 @@ impl Contour {
     /// Its length, in millimetres.
     pub fn length(&self) -> f64 {
         self.edges.iter().map(Edge::length).sum()
+    }
+
+    /// Whether the ray from a point towards greater x meets it an odd number of times.
+    fn surrounds(&self, point: Point) -> bool {
+        let next = self.edges.iter().cycle().skip(1);
+        // Edges end exactly where the next ones start, lest a ray slips through between the two.
+        self.edges.iter().zip(next).fold(false, |odd, (edge, next)| odd ^ edge.crosses(next.start(), point))
     }
 }
 
@@ -80,20 +87,24 @@ impl Edge {
         }
     }
 
-    /// Whether the ray from a point towards greater x meets it an odd number of times.
-    fn crosses(&self, point: Point) -> bool {
+    /// Whether the ray from a point towards greater x meets the edge, made to end at `end`, an odd number of times.
+    fn crosses(&self, end: Point, point: Point) -> bool {
         match *self {
-            Edge::Line { from, to } => line_crosses(from, to, point),
+            Edge::Line { from, .. } => line_crosses(from, end, point),
             Edge::Arc { center, radius, start, sweep } => {
                 // Each piece crosses as its chord does, unless the point lies between the chord and the arc.
                 let inside_circle = distance(point, center) < radius;
                 let pieces = (sweep.abs() / FRAC_PI_2).ceil().clamp(1.0, 4.0) as u32;
-                let corner = |k| on_circle(center, radius, start + sweep * f64::from(k) / f64::from(pieces));
-                (0..pieces).fold(false, |odd, k| {
-                    let (from, to) = (corner(k), corner(k + 1));
+                let mut odd = false;
+                let mut from = self.start();
+                for k in 1..=pieces {
+                    let angle = start + sweep * f64::from(k) / f64::from(pieces);
+                    let to = if k == pieces { end } else { on_circle(center, radius, angle) };
                     let beyond_chord = is_left(from, to, point) != (sweep > 0.0);
-                    odd ^ line_crosses(from, to, point) ^ (inside_circle && beyond_chord)
-                })
+                    odd ^= line_crosses(from, to, point) ^ (inside_circle && beyond_chord);
+                    from = to;
+                }
+                odd
             }
         }
     }
