@@ -2,7 +2,10 @@
 //!
 //! The graph's laws:
 //! * It is a DAG: nodes and points stand behind those they refer to, and no two are equal (hash-consing).
-//! * Points are functions of the point that is asked about; nodes are distances, in millimetres of the world.
+//! * Points are functions of the point that is asked about; nodes are distances, in millimetres of the world. (Only
+//!   what stands directly below an adjustment by `scale` or a [`Node::Taper`] is in other units.)
+//! * A point is a plane point if it is a section of a point, or a map or confinement of a plane point. Plane shapes
+//!   are asked at plane points, all else at space points.
 //! * A node's facts hold for every value of the live parameters within their ranges.
 //! * Numbers are [`Scalar`]s. The distinct live ones are the graph's *slots*: whoever evaluates the graph computes
 //!   each slot once and then treats it as a constant.
@@ -35,13 +38,14 @@ pub struct MaterialId(pub u32);
 pub enum Point {
     /// The point that the scene is asked about, with three coordinates. Always point 0.
     World,
-    /// A point mapped by a matrix, local from parent. Maps of maps are fused.
+    /// A point mapped by a matrix, local from parent. Maps of maps are fused. It never makes lengths longer. At a
+    /// plane point, the upper left 2 × 2 entries and the last column's first two count.
     Affine(Affine, PointId),
     /// A point mapped by a warp (to three coordinates) or a section (to two) with its flattened arguments.
     Warp(&'static Row, Vec<Scalar>, PointId),
-    /// A point with its x and y moved into the disc of this radius about the z axis.
+    /// A space or plane point with its x and y moved into the disc of this radius about the origin.
     Confined(Scalar, PointId),
-    /// A point with its z made zero.
+    /// A space or plane point as the space point with the same x and y and z = 0.
     Flattened(PointId),
 }
 
@@ -64,6 +68,10 @@ pub enum Node {
     Adjust(&'static Row, Vec<Scalar>, NodeId),
     /// A plane shape's distance drawn out from z = 0 to a height, at the point whose z counts.
     Extrude(Scalar, NodeId, PointId),
+    /// A distance asked at the [extrude](chiaro_vocabulary::rows::EXTRUDE) section of a point: times the lesser of the
+    /// two scales at that point's height, which makes it a distance at that point. The height and scale of the top,
+    /// as that section has them, and the point.
+    Taper(Scalar, [Scalar; 2], NodeId, PointId),
     /// A distance asked at the confined point, joined with the gap from there to the unconfined one: the radius of
     /// confinement, the Lipschitz constant of the distance within, and the unconfined point.
     Confine(Scalar, f64, NodeId, PointId),

@@ -39,6 +39,18 @@ pub static OP_EXTRUDE: Row = helper(
     "The distance to a solid of a given height, from that to its plane shape.",
 );
 
+/// The distance at a point, from that in its section of a tapering solid.
+pub static OP_TAPER: Row = helper(
+    "op_taper",
+    &[
+        number("d", None, "distance in the section"),
+        number("z", None, "height of the point"),
+        number("height", None, "height of the solid"),
+        vec2(number("scale_top", None, "how the top is scaled against the bottom, in x and y")),
+    ],
+    "The distance at a point, from that in its section of a tapering solid.",
+);
+
 /// The joint of two distances with exponent 1.
 pub static JOINT_CHAMFER: Row = helper(
     "joint_chamfer",
