@@ -12,6 +12,7 @@
 //!    `class` is a promise that marching and joints rely on; the tests sample it.
 
 pub mod bounds;
+pub mod cpu;
 pub mod interval;
 mod library;
 pub mod rows;

@@ -69,32 +69,32 @@ fn sd_round_cone(p: vec3<f32>, r_bottom: f32, r_top: f32, h: f32) -> f32 {
 
 // The ellipsoid with these radii along x, y and z.
 //
-// The nearest surface point of p is x_i = r_i² p_i / (r_i² + t), where t solves |s(t)| = 1 with s_i = r_i p_i
-// / (r_i² + t). 1/|s| is concave and increasing in t, so Newton's method from the left stays at the left and
-// converges fast (Moré and Hebden's iteration for trust regions). The unknown is u = t + r_min², which loses
-// no digits near the singularity. At the left the distance comes out too short outside, so what is left of
-// the error is harmless there. Deep inside, near the medial sheet, convergence is slow: the value stops at
-// half the least radius of curvature, unless r_min (1 - |p/r|), a bound whose gradient is at most 1, is
-// deeper.
+// The nearest surface point of p is x_i = r_i² p_i / (r_i² + t), where t solves |s(t)| = 1 with
+// s_i = r_i p_i / (r_i² + t). 1/|s| is concave and increasing in t, so a step of Newton's method never ends beyond the
+// solution, and from there the next ones rise to it fast (Moré and Hebden's iteration for trust regions). It starts
+// from the greater of two lower bounds: where the largest s_i is 1, and a step from t = 0, which is the surface itself.
+// The unknown is u = t + r_min², which loses no digits near the singularity. Outside, what is left of the error makes
+// the distance too short, so it is harmless. Deep inside, near the medial sheet, convergence is slow: there the value
+// stops at half the least radius of curvature, unless r_min (1 - |p/r|), a bound of slope 1 or less, is deeper.
 fn sd_ellipsoid(p: vec3<f32>, radii: vec3<f32>) -> f32 {
     let r_min = min(radii.x, min(radii.y, radii.z));
     let r_max = max(radii.x, max(radii.y, radii.z));
     let q = max(abs(p), vec3(1e-6 * r_min));
     let spread = (radii - r_min) * (radii + r_min);
     let pull = radii * q;
-    let start = max(pull - spread, vec3(0.0));
-    let depth = length(p / radii);
-    let outside = depth > 1.0;
-    let left = max(max(start.x, max(start.y, start.z)), select(0.0, r_min * r_min, outside));
-    let u_a = ellipsoid_step(left, pull, spread);
+    let least = pull - spread;
+    let from_surface = ellipsoid_step(r_min * r_min, pull, spread);
+    let start = max(max(least.x, max(least.y, least.z)), from_surface);
+    let u_a = ellipsoid_step(start, pull, spread);
     let u_b = ellipsoid_step(u_a, pull, spread);
     let u_c = ellipsoid_step(u_b, pull, spread);
     let u_d = ellipsoid_step(u_c, pull, spread);
     let u_e = ellipsoid_step(u_d, pull, spread);
     let u = ellipsoid_step(u_e, pull, spread);
     let reach = abs(u - r_min * r_min) * length(q / (spread + u));
+    let depth = length(p / radii);
     let shallow = max(min(reach, 0.5 * r_min * r_min / r_max), r_min * (1.0 - depth));
-    return select(-shallow, reach, outside);
+    return select(-shallow, reach, depth > 1.0);
 }
 
 // One step of Newton's method towards the u with |pull / (spread + u)| = 1.
@@ -168,7 +168,7 @@ fn pyramid_nearest(q: vec2<f32>, half_base: f32, height: f32) -> vec2<f32> {
     let beyond_side = from_corner.x * side.y - from_corner.y * side.x > 0.0;
     let on_edge = vec2(min(q.x, half_base), max(q.y, 0.0));
     let below = q.y < 0.0;
-    return select(select(q, on_side, beyond_side), on_edge, below & (q.x <= half_base));
+    return select(select(q, on_side, beyond_side | below), on_edge, below & (q.x <= half_base));
 }
 
 // A wall along the gyroid sin x cos y + sin y cos z + sin z cos x = 0 of this period, at least thickness
