@@ -13,7 +13,7 @@ mod domain;
 pub(crate) use domain::is_number;
 
 /// The group whose parameters are not shown.
-const HIDDEN: &str = "Hidden";
+pub(crate) const HIDDEN: &str = "Hidden";
 
 /// Fills in the Customizer comments of a file's statements, which are those of `text`.
 pub(crate) fn attach(text: &str, statements: &mut [Statement]) {
@@ -133,9 +133,7 @@ mod tests {
         });
         let parameters = assignments.filter_map(|assignment| Some((assignment.name.node, assignment.customizer?)));
         parameters
-            .map(|(name, customizer)| {
-                (name.to_string(), customizer.domain, customizer.description, customizer.group)
-            })
+            .map(|(name, customizer)| (name.to_string(), customizer.domain, customizer.description, customizer.group))
             .collect()
     }
 
@@ -153,10 +151,10 @@ mod tests {
         assert_eq!(domain("//[-1:30] mm"), Domain::Range { min: -1.0, step: None, max: 30.0 });
         assert_eq!(domain("// [30]"), Domain::Range { min: 0.0, step: None, max: 30.0 });
         assert_eq!(domain("// .5"), Domain::Step(0.5));
-        assert_eq!(domain("// [10:Small, 20 : Very large]"), Domain::Choices(vec![
-            choice("10", Some("Small")),
-            choice("20", Some("Very large")),
-        ]));
+        assert_eq!(
+            domain("// [10:Small, 20 : Very large]"),
+            Domain::Choices(vec![choice("10", Some("Small")), choice("20", Some("Very large")),])
+        );
         assert_eq!(domain("// [\"a,b\":A, c]"), Domain::Choices(vec![choice("a,b", Some("A")), choice("c", None)]));
         for comment in ["// [", "// []", "// any number", "\n// [1:2]", "/* [1:2] */", ""] {
             assert_eq!(domain(comment), Domain::Any, "{comment}");
@@ -167,11 +165,19 @@ mod tests {
     fn lines_above_give_description_and_group() {
         let text = "// none\n\na = 1;\n/* [Size] */\n// Its width\nb = [1, -2]; // [9]\n/* text\n [no] */ c = \"x\";";
         let size = Some("Size".to_owned());
-        assert_eq!(parameters(text), [
-            ("a".to_owned(), Domain::Any, None, None),
-            ("b".to_owned(), Domain::Range { min: 0.0, step: None, max: 9.0 }, Some("Its width".to_owned()), size.clone()),
-            ("c".to_owned(), Domain::Any, None, size),
-        ]);
+        assert_eq!(
+            parameters(text),
+            [
+                ("a".to_owned(), Domain::Any, None, None),
+                (
+                    "b".to_owned(),
+                    Domain::Range { min: 0.0, step: None, max: 9.0 },
+                    Some("Its width".to_owned()),
+                    size.clone()
+                ),
+                ("c".to_owned(), Domain::Any, None, size),
+            ]
+        );
     }
 
     #[test]

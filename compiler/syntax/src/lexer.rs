@@ -75,13 +75,12 @@ impl<'a> Lexer<'a> {
         if let Some(length) = self.raw_strings.as_mut().and_then(|raw| raw.length(self.text, start)) {
             return (TokenKind::RawString, length);
         }
-        let line = line_length(self.rest);
-        let searched = if self.quotes_are_odd { &self.rest[..line] } else { self.rest };
+        let searched = if self.quotes_are_odd { &self.rest[..line_length(self.rest)] } else { self.rest };
         match matched(string, searched) {
             Some(length) => (TokenKind::String, length),
             None => {
                 self.quotes_are_odd = true;
-                (TokenKind::UnclosedString, line)
+                (TokenKind::UnclosedString, line_length(self.rest))
             }
         }
     }
@@ -269,26 +268,24 @@ mod tests {
     #[test]
     fn what_is_never_closed_ends_somewhere_sensible() {
         assert_eq!(words("\"abc\nd"), [(TokenKind::UnclosedString, "\"abc"), (TokenKind::Name, "d")]);
-        assert_eq!(words("a /* b */ /* c"), [
-            (TokenKind::Name, "a"),
-            (TokenKind::BlockComment, "/* b */"),
-            (TokenKind::UnclosedComment, "/* c"),
-        ]);
+        assert_eq!(
+            words("a /* b */ /* c"),
+            [(TokenKind::Name, "a"), (TokenKind::BlockComment, "/* b */"), (TokenKind::UnclosedComment, "/* c"),]
+        );
     }
 
     #[test]
     fn characters_that_begin_nothing_are_one_token_per_run() {
-        assert_eq!(words("a@@é b"), [
-            (TokenKind::Name, "a"),
-            (TokenKind::Unknown, "@@é"),
-            (TokenKind::Name, "b"),
-        ]);
+        assert_eq!(words("a@@é b"), [(TokenKind::Name, "a"), (TokenKind::Unknown, "@@é"), (TokenKind::Name, "b"),]);
     }
 
     #[test]
     fn two_signs_are_one_operator_where_they_can_be() {
         use TokenKind::*;
         let kinds: Vec<_> = tokens("<<=>>&&&|||!==").into_iter().map(|token| token.kind).collect();
-        assert_eq!(kinds, [ShiftLeft, Assign, ShiftRight, AmpersandAmpersand, Ampersand, BarBar, Bar, NotEqual, Assign]);
+        assert_eq!(
+            kinds,
+            [ShiftLeft, Assign, ShiftRight, AmpersandAmpersand, Ampersand, BarBar, Bar, NotEqual, Assign]
+        );
     }
 }

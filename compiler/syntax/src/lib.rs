@@ -9,12 +9,17 @@ pub mod tree;
 
 mod customizer;
 mod lexer;
+mod operator;
 mod parser;
+mod printer;
 mod string;
+#[cfg(test)]
+mod testing;
 mod token;
 
 pub use diagnostic::{Diagnostic, Label, Severity};
 pub use lexer::tokens;
 pub use parser::{Dialect, MAX_FILE_BYTES, MAX_NODES, parse};
+pub use printer::print;
 pub use source::{FileId, SourceFile, Sources, Span, Spanned};
 pub use token::{Token, TokenKind};

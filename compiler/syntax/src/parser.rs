@@ -71,7 +71,7 @@ struct Parser<'a> {
     token: Token,
     /// The one behind it.
     ahead: Token,
-    /// Whether characters had to be skipped before `ahead`.
+    /// Whether an error about what stands before `ahead` makes one about `ahead` itself pointless.
     ahead_is_tainted: bool,
     /// Where the last token read ends.
     previous_end: u32,

@@ -82,7 +82,7 @@ impl<'a> Parser<'a> {
 
     /// The next token that the grammar sees. What no token can be is reported here.
     fn next_token(&mut self) -> Token {
-        self.ahead_is_tainted = false;
+        self.ahead_is_tainted = self.ahead.kind == TokenKind::UnclosedString;
         if self.stopped {
             return self.ahead;
         }
@@ -116,15 +116,20 @@ impl<'a> Parser<'a> {
 
     fn report_unknown(&mut self, token: Token) {
         let word = &self.text[token.range()];
-        let shown: String = word.chars().take(20).map(|character| character.escape_debug().to_string()).collect();
+        let is_shown = |character: &char| !character.is_control();
+        let shown: String = word.chars().filter(is_shown).take(20).collect();
         let error = Diagnostic::error(self.span(token), format!("`{shown}` means nothing here"));
         let hint = match word.chars().next() {
-            Some('\'' | '“' | '”' | '„' | '‘' | '’' | '«' | '»') => Some("a string stands in straight double quotes: \"…\""),
+            Some('\'' | '“' | '”' | '„' | '‘' | '’' | '«' | '»') => {
+                Some("a string stands in straight double quotes: \"…\"")
+            }
             Some('−' | '–' | '—') => Some("write the sign `-`"),
             Some('×' | '·') => Some("write `*` to multiply"),
             Some('≤') => Some("write `<=`"),
             Some('≥') => Some("write `>=`"),
             Some('≠') => Some("write `!=`"),
+            Some(char::REPLACEMENT_CHARACTER) => Some("the file is not encoded in UTF-8"),
+            Some(control) if control.is_control() => Some("there is a control character, which can't be seen"),
             Some(letter) if letter.is_alphabetic() => Some("names are made of the letters a to z, digits and `_`"),
             _ => None,
         };

@@ -65,8 +65,7 @@ impl Parser<'_> {
             let no = if self.eat(TokenKind::Colon) {
                 self.expression()
             } else {
-                let error = self.unexpected("`:`").with_hint("write `condition ? one value : another`");
-                self.error(error);
+                self.expected_but("`:`", "write `condition ? one value : another`");
                 self.nothing()
             };
             let span = condition.span.to(self.gap());
@@ -80,12 +79,12 @@ impl Parser<'_> {
     fn binary(&mut self, tightness: u8, first: Option<Expression>) -> Expression {
         let deepest_before = if first.is_some() { self.deepest } else { self.begin_chain() };
         let mut left = self.unary(first);
-        while let Some((operator, binding)) = binary_operator(self.token.kind)
-            && binding >= tightness
+        while let Some(operator) = binary_operator(self.token.kind)
+            && operator.tightness() >= tightness
             && self.deepen_chain()
         {
             self.bump();
-            let right = self.nested(|parser| parser.binary(binding + 1, None));
+            let right = self.nested(|parser| parser.binary(operator.tightness() + 1, None));
             let right = right.unwrap_or_else(|| self.nothing());
             left = binary(operator, left, right);
         }
@@ -141,8 +140,7 @@ impl Parser<'_> {
                 _ => {
                     self.bump();
                     let Some(member) = self.eat_name() else {
-                        let error = self.unexpected("the name of a member, such as `x`");
-                        self.error(error);
+                        self.expected("the name of a member, such as `x`");
                         return base;
                     };
                     ExpressionKind::Member(base, member)
@@ -179,6 +177,7 @@ impl Parser<'_> {
     }
 
     /// Reports what stands where an operand should.
+    #[inline(never)]
     fn no_operand(&mut self) -> Expression {
         let error = self.unexpected("an expression");
         let word = &self.text[self.token.range()];
@@ -193,9 +192,13 @@ impl Parser<'_> {
                 self.skip_braces();
                 return Expression::new(ExpressionKind::Error, self.span_from(start));
             }
-            TokenKind::If => self.error(error.with_hint("an expression chooses with `condition ? one value : another`")),
+            TokenKind::If => {
+                self.error(error.with_hint("an expression chooses with `condition ? one value : another`"))
+            }
             TokenKind::For | TokenKind::Each => {
-                self.error(error.with_hint(format!("in expressions, `{word}` stands in a list: `[for (i = [0:9]) i]`")));
+                self.error(
+                    error.with_hint(format!("in expressions, `{word}` stands in a list: `[for (i = [0:9]) i]`")),
+                );
             }
             TokenKind::Comma => self.error(error.with_hint("only one comma may follow a value")),
             _ => self.error(error),
@@ -206,8 +209,7 @@ impl Parser<'_> {
     /// Reads `( name = value, value, … )`. If there is no `(`, that is reported and nothing is read.
     pub(super) fn arguments(&mut self) -> Vec<Argument> {
         if !self.at(TokenKind::OpenParenthesis) {
-            let error = self.unexpected("`(`");
-            self.error(error);
+            self.expected("`(`");
             return Vec::new();
         }
         let opener = self.open();
@@ -221,7 +223,7 @@ impl Parser<'_> {
         let mut arguments = Vec::new();
         while !matches!(self.token.kind, TokenKind::CloseParenthesis | TokenKind::Semicolon | TokenKind::End) {
             arguments.push(self.argument());
-            if !self.next_item(opener, TokenKind::CloseParenthesis) {
+            if !self.next_item(opener) {
                 break;
             }
         }
@@ -242,8 +244,7 @@ impl Parser<'_> {
     pub(super) fn parameters(&mut self) -> Vec<Parameter> {
         let mut parameters = Vec::new();
         if !self.at(TokenKind::OpenParenthesis) {
-            let error = self.unexpected("`(`");
-            self.error(error);
+            self.expected("`(`");
             return parameters;
         }
         let opener = self.open();
@@ -252,10 +253,9 @@ impl Parser<'_> {
                 let default = self.eat(TokenKind::Assign).then(|| self.expression());
                 parameters.push(Parameter { name, default });
             } else {
-                let error = self.unexpected("the name of a parameter");
-                self.error(error);
+                self.expected("the name of a parameter");
             }
-            if !self.next_item(opener, TokenKind::CloseParenthesis) {
+            if !self.next_item(opener) {
                 break;
             }
         }
@@ -269,26 +269,26 @@ fn binary(operator: BinaryOperator, left: Expression, right: Expression) -> Expr
     Expression::new(ExpressionKind::Binary(operator, left, right), span)
 }
 
-/// The operator that a token is, and how tight it binds. All but `^` associate to the left.
-fn binary_operator(kind: TokenKind) -> Option<(BinaryOperator, u8)> {
+/// The operator that a token is. `^` is not among them, since it binds tighter than signs do.
+fn binary_operator(kind: TokenKind) -> Option<BinaryOperator> {
     Some(match kind {
-        TokenKind::BarBar => (BinaryOperator::Or, 0),
-        TokenKind::AmpersandAmpersand => (BinaryOperator::And, 1),
-        TokenKind::Equal => (BinaryOperator::Equal, 2),
-        TokenKind::NotEqual => (BinaryOperator::NotEqual, 2),
-        TokenKind::Greater => (BinaryOperator::Greater, 3),
-        TokenKind::GreaterEqual => (BinaryOperator::GreaterEqual, 3),
-        TokenKind::Less => (BinaryOperator::Less, 3),
-        TokenKind::LessEqual => (BinaryOperator::LessEqual, 3),
-        TokenKind::Bar => (BinaryOperator::BitOr, 4),
-        TokenKind::Ampersand => (BinaryOperator::BitAnd, 5),
-        TokenKind::ShiftLeft => (BinaryOperator::ShiftLeft, 6),
-        TokenKind::ShiftRight => (BinaryOperator::ShiftRight, 6),
-        TokenKind::Plus => (BinaryOperator::Add, 7),
-        TokenKind::Minus => (BinaryOperator::Subtract, 7),
-        TokenKind::Star => (BinaryOperator::Multiply, 8),
-        TokenKind::Slash => (BinaryOperator::Divide, 8),
-        TokenKind::Percent => (BinaryOperator::Modulo, 8),
+        TokenKind::BarBar => BinaryOperator::Or,
+        TokenKind::AmpersandAmpersand => BinaryOperator::And,
+        TokenKind::Equal => BinaryOperator::Equal,
+        TokenKind::NotEqual => BinaryOperator::NotEqual,
+        TokenKind::Greater => BinaryOperator::Greater,
+        TokenKind::GreaterEqual => BinaryOperator::GreaterEqual,
+        TokenKind::Less => BinaryOperator::Less,
+        TokenKind::LessEqual => BinaryOperator::LessEqual,
+        TokenKind::Bar => BinaryOperator::BitOr,
+        TokenKind::Ampersand => BinaryOperator::BitAnd,
+        TokenKind::ShiftLeft => BinaryOperator::ShiftLeft,
+        TokenKind::ShiftRight => BinaryOperator::ShiftRight,
+        TokenKind::Plus => BinaryOperator::Add,
+        TokenKind::Minus => BinaryOperator::Subtract,
+        TokenKind::Star => BinaryOperator::Multiply,
+        TokenKind::Slash => BinaryOperator::Divide,
+        TokenKind::Percent => BinaryOperator::Modulo,
         _ => return None,
     })
 }

@@ -19,7 +19,7 @@ impl Parser<'_> {
                 }
                 element => elements.push(element),
             }
-            if !self.next_item(opener, TokenKind::CloseBracket) {
+            if !self.next_item(opener) {
                 break;
             }
         }
@@ -64,8 +64,7 @@ impl Parser<'_> {
     fn for_element(&mut self) -> Element {
         let keyword = self.bump().start;
         if !self.at(TokenKind::OpenParenthesis) {
-            let error = self.unexpected("`(`").with_hint("write `for (i = [0:9]) …`");
-            self.error(error);
+            self.expected_but("`(`", "write `for (i = [0:9]) …`");
             return Element::Value(self.nothing());
         }
         let opener = self.open();
@@ -79,8 +78,7 @@ impl Parser<'_> {
         let next = if self.eat(TokenKind::Semicolon) {
             self.argument_list(opener)
         } else {
-            let error = self.unexpected("`;`").with_hint("write `for (first values; condition; next values) …`");
-            self.error(error);
+            self.expected_but("`;`", "write `for (first values; condition; next values) …`");
             Vec::new()
         };
         self.close(opener, "`,` or `)`");
@@ -128,8 +126,7 @@ impl Parser<'_> {
     /// Reads `( condition )`.
     pub(super) fn condition(&mut self) -> Expression {
         if !self.at(TokenKind::OpenParenthesis) {
-            let error = self.unexpected("`(`").with_hint("a condition stands in parentheses: `if (a > b) …`");
-            self.error(error);
+            self.expected_but("`(`", "a condition stands in parentheses: `if (a > b) …`");
             return self.nothing();
         }
         let opener = self.open();

@@ -16,6 +16,36 @@ impl Parser<'_> {
         }
     }
 
+    /// Reports that something else than `expected` was found.
+    #[inline(never)]
+    pub(super) fn expected(&mut self, expected: &str) {
+        let error = self.unexpected(expected);
+        self.error(error);
+    }
+
+    /// Reports that something else than `expected` was found, and how to mend it.
+    #[inline(never)]
+    pub(super) fn expected_but(&mut self, expected: &str, hint: &str) {
+        let error = self.unexpected(expected).with_hint(hint);
+        self.error(error);
+    }
+
+    /// Reports that something is missing behind the last token.
+    #[inline(never)]
+    pub(super) fn missing(&mut self, what: &str, hint: &str) {
+        let error = Diagnostic::error(self.gap(), format!("missing {what}")).with_hint(hint);
+        self.error(error);
+    }
+
+    /// Reports that a block ends with the file.
+    #[inline(never)]
+    pub(super) fn unclosed_block(&mut self, opener: Token) {
+        let error = Diagnostic::error(self.gap(), "missing `}` at the end of the file");
+        // Every open block is worth a message.
+        self.last_error = None;
+        self.error(error.with_related(self.span(opener), "this `{` is never closed"));
+    }
+
     /// The error that something else than `expected` was found.
     pub(super) fn unexpected(&self, expected: &str) -> Diagnostic {
         Diagnostic::error(self.span(self.token), format!("expected {expected}, found {}", self.found()))
@@ -50,19 +80,9 @@ impl Parser<'_> {
     /// Reads the closing bracket that belongs to `opener`. If there is something else, it is reported, and skipped
     /// unless the bracket just seems forgotten.
     pub(super) fn close(&mut self, opener: Token, expected: &str) {
-        let (closer, sign) = match opener.kind {
-            TokenKind::OpenParenthesis => (TokenKind::CloseParenthesis, "`)`"),
-            _ => (TokenKind::CloseBracket, "`]`"),
-        };
+        let closer = closer(opener);
         if !self.at(closer) {
-            let opened = format!("`{}` is opened here", &self.text[opener.range()]);
-            let error = if self.ends_brackets() {
-                Diagnostic::error(self.gap(), format!("missing {sign}"))
-            } else {
-                self.unexpected(expected)
-            };
-            let error = error.with_related(self.span(opener), opened);
-            self.error(self.with_bracket_hint(error));
+            self.bracket_error(opener, expected);
             self.skip_in_brackets(&[closer]);
         }
         self.eat(closer);
@@ -72,31 +92,34 @@ impl Parser<'_> {
         }
     }
 
-    /// Adds what the user may have meant by the next token, found between brackets.
-    fn with_bracket_hint(&self, error: Diagnostic) -> Diagnostic {
-        match self.token.kind {
-            TokenKind::Assign => error.with_hint("`==` compares two values"),
-            kind if kind.begins_expression() && !self.at_line_start() => error.with_hint("values are separated by `,`"),
-            _ => error,
+    /// Reads the comma behind an item of a list. What stands where it or the closing bracket should is reported and
+    /// skipped. Answers whether the list goes on.
+    pub(super) fn next_item(&mut self, opener: Token) -> bool {
+        let closer = closer(opener);
+        if !self.at(TokenKind::Comma) && !self.at(closer) && !self.ends_brackets() {
+            let is_bracket = closer == TokenKind::CloseBracket;
+            self.bracket_error(opener, if is_bracket { "`,` or `]`" } else { "`,` or `)`" });
+            self.skip_in_brackets(&[TokenKind::Comma, closer]);
         }
+        self.eat(TokenKind::Comma)
     }
 
-    /// Reports what stands where a `,` or the closing bracket should, and skips up to either. Answers whether the
-    /// list goes on.
-    pub(super) fn next_item(&mut self, opener: Token, closer: TokenKind) -> bool {
-        if self.eat(TokenKind::Comma) {
-            return true;
-        }
-        let is_end = self.at(closer) || self.ends_brackets();
-        if is_end {
-            return false;
-        }
-        let sign = if closer == TokenKind::CloseBracket { "`,` or `]`" } else { "`,` or `)`" };
-        let opened = format!("`{}` is opened here", &self.text[opener.range()]);
-        let error = self.unexpected(sign).with_related(self.span(opener), opened);
-        self.error(self.with_bracket_hint(error));
-        self.skip_in_brackets(&[TokenKind::Comma, closer]);
-        self.eat(TokenKind::Comma)
+    /// Reports that something else than `expected`, or nothing, stands where the bracket `opener` should close.
+    #[inline(never)]
+    fn bracket_error(&mut self, opener: Token, expected: &str) {
+        let (sign, missing) = match opener.kind {
+            TokenKind::OpenParenthesis => ("`(`", "missing `)`"),
+            _ => ("`[`", "missing `]`"),
+        };
+        let is_missing = self.ends_brackets();
+        let error = if is_missing { Diagnostic::error(self.gap(), missing) } else { self.unexpected(expected) };
+        let error = error.with_related(self.span(opener), format!("{sign} is opened here"));
+        let error = match self.token.kind {
+            TokenKind::Assign => error.with_hint("`==` compares two values"),
+            kind if kind.begins_expression() && expected.contains(',') => error.with_hint("`,` separates values"),
+            _ => error,
+        };
+        self.error(error);
     }
 
     /// Whether the next token shows that the innermost bracket has been left open.
@@ -183,7 +206,8 @@ impl Parser<'_> {
         }
         let is_forgotten = self.at_statement()
             || matches!(self.token.kind, TokenKind::End | TokenKind::CloseBrace)
-            || self.token.kind.names_module() && matches!(self.ahead.kind, TokenKind::OpenParenthesis | TokenKind::Assign);
+            || self.token.kind.names_module()
+                && matches!(self.ahead.kind, TokenKind::OpenParenthesis | TokenKind::Assign);
         if is_forgotten {
             let error = Diagnostic::error(self.gap(), format!("missing `;` behind {what}"));
             self.error(error);
@@ -197,9 +221,19 @@ impl Parser<'_> {
     fn with_statement_hint(&self, error: Diagnostic) -> Diagnostic {
         match self.token.kind {
             TokenKind::Assign => error.with_hint("`==` compares two values"),
-            TokenKind::CloseParenthesis | TokenKind::CloseBracket => error.with_hint("nothing is open that it could close"),
+            TokenKind::CloseParenthesis | TokenKind::CloseBracket => {
+                error.with_hint("nothing is open that it could close")
+            }
             TokenKind::Comma => error.with_hint("a list stands in brackets: `[1, 2]`"),
             _ => error,
         }
+    }
+}
+
+/// The kind of bracket that closes `opener`.
+fn closer(opener: Token) -> TokenKind {
+    match opener.kind {
+        TokenKind::OpenParenthesis => TokenKind::CloseParenthesis,
+        _ => TokenKind::CloseBracket,
     }
 }

@@ -44,10 +44,7 @@ impl Parser<'_> {
         let mut statements = Vec::new();
         self.statements(&mut statements);
         if !self.eat(TokenKind::CloseBrace) {
-            let error = Diagnostic::error(self.gap(), "missing `}` at the end of the file");
-            let error = error.with_related(self.span(opener), "this `{` is never closed");
-            self.last_error = None;
-            self.error(error);
+            self.unclosed_block(opener);
         }
         statements.shrink_to_fit();
         statements
@@ -73,6 +70,7 @@ impl Parser<'_> {
         }
     }
 
+    #[inline(never)]
     fn no_statement(&mut self) {
         let error = self.unexpected("a statement");
         let error = match self.token.kind {
@@ -123,8 +121,7 @@ impl Parser<'_> {
         let body = match self.token.kind {
             TokenKind::OpenBrace => self.block(),
             TokenKind::End | TokenKind::CloseBrace => {
-                let error = Diagnostic::error(self.gap(), format!("the module `{}` has no body", name.node));
-                self.error(error.with_hint("a body stands in braces: `{ … }`"));
+                self.missing(&format!("body of the module `{}`", name.node), "a body stands in braces: `{ … }`");
                 Vec::new()
             }
             _ => self.nested(Self::statement).flatten().into_iter().collect(),
@@ -138,8 +135,7 @@ impl Parser<'_> {
         let name = self.defined_name("function")?;
         let parameters = self.parameters();
         if !self.eat(TokenKind::Assign) {
-            let error = self.unexpected("`=`");
-            self.error(error.with_hint("a function is written `function name(x) = value;`"));
+            self.expected_but("`=`", "a function is written `function name(x) = value;`");
             self.skip_statement();
             if self.at(TokenKind::OpenBrace) {
                 self.skip_braces();
@@ -156,8 +152,7 @@ impl Parser<'_> {
     fn defined_name(&mut self, what: &str) -> Option<Spanned<Name>> {
         let name = self.eat_name();
         if name.is_none() {
-            let error = self.unexpected(&format!("the name of a {what}"));
-            self.error(error);
+            self.expected(&format!("the name of a {what}"));
             self.skip_statement();
         }
         name
@@ -180,15 +175,22 @@ impl Parser<'_> {
             return Some(self.if_instance(start, modifiers));
         }
         if !self.token.kind.names_module() {
-            let error = self.unexpected("a module to be modified, such as `cube(1)`");
-            self.error(error);
+            self.expected("a module to be modified, such as `cube(1)`");
             return None;
         }
         let name = self.bump_name();
         let arguments = self.instance_arguments(&name)?;
         let head = self.span_from(name.span.start);
         let children = self.children(head);
-        Some(Instance { modifiers, name, arguments, children, otherwise: Vec::new(), span: self.span_from(start), head })
+        Some(Instance {
+            modifiers,
+            name,
+            arguments,
+            children,
+            otherwise: Vec::new(),
+            span: self.span_from(start),
+            head,
+        })
     }
 
     /// Reads an instance's arguments. Where it seems that only the parentheses are missing, there are none.
@@ -197,8 +199,10 @@ impl Parser<'_> {
             return Some(self.arguments());
         }
         if matches!(self.token.kind, TokenKind::OpenBrace | TokenKind::Semicolon) {
-            let error = Diagnostic::error(self.gap(), format!("missing `()` behind `{}`", name.node));
-            self.error(error.with_hint(format!("write `{}()`", name.node)));
+            self.missing(
+                &format!("`()` behind `{}`", name.node),
+                "arguments stand in parentheses, even if there are none",
+            );
             return Some(Vec::new());
         }
         let error = self.unexpected("`(` or `=`");
@@ -252,23 +256,23 @@ impl Parser<'_> {
         }
     }
 
+    #[inline(never)]
     fn no_children(&mut self, head: Span) {
         match self.token.kind {
             TokenKind::End | TokenKind::CloseBrace => {
                 let text = self.shown_head(head);
-                let error = Diagnostic::error(self.gap(), format!("missing `;` behind `{text}`"));
-                self.error(error);
+                self.missing(&format!("`;` behind `{text}`"), "`;` ends a statement");
             }
             _ if self.at_statement() => self.no_child("a definition is no child of this", head),
             _ => {
-                let error = self.unexpected("`;`, `{` or a module");
-                self.error(error);
+                self.expected("`;`, `{` or a module");
                 self.skip_statement();
             }
         }
     }
 
     /// Reports a statement that can't be a child: on a line of its own it is a statement, and a `;` is missing.
+    #[inline(never)]
     fn no_child(&mut self, message: &str, head: Span) {
         let error = if self.at_line_start() {
             let text = self.shown_head(head);
@@ -299,4 +303,3 @@ fn modifier(kind: TokenKind) -> Option<fn(&mut Modifiers)> {
         _ => return None,
     })
 }
-
