@@ -30,19 +30,23 @@ fn outline_arc(
     let in_sector = dot(from_center, middle) >= q * radius * cos(0.5 * sweep);
     let to_end = min(dot(p - a, p - a), dot(p - b, p - b));
     let squared = select(to_end, (q - radius) * (q - radius), in_sector);
-    let edge = b - a;
-    let left = edge.x * (p.y - a.y) - edge.y * (p.x - a.x) > 0.0;
     let closed = (a.x == b.x) & (a.y == b.y);
-    let in_segment = (q < radius) & (closed | (left != (sweep > 0.0)));
+    let in_segment = (q < radius) & (closed | (outline_left(p, a, b) != (sweep > 0.0)));
     let crossed = outline_crosses(p, a, b) != in_segment;
     return vec2(min(state.x, squared), select(state.y, -state.y, crossed));
 }
 
-// Whether the ray from p towards +x crosses the line from a to b: one end is above p, and p is at the line's
-// left side if it goes up and at its right if it goes down.
+// Whether the ray from p towards +x crosses the line from a to b: one end is above p, and p is at the line's left side
+// if it goes up and at its right if it goes down.
 fn outline_crosses(p: vec2<f32>, a: vec2<f32>, b: vec2<f32>) -> bool {
-    let left = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) > 0.0;
-    return ((a.y > p.y) != (b.y > p.y)) & (left == (b.y > a.y));
+    return ((a.y > p.y) != (b.y > p.y)) & (outline_left(p, a, b) == (b.y > a.y));
+}
+
+// Whether p is at the left side of the line from a to b. What is level with a level line counts as above it, as it does
+// for crossings.
+fn outline_left(p: vec2<f32>, a: vec2<f32>, b: vec2<f32>) -> bool {
+    let turn = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    return select(turn > 0.0, (p.y >= a.y) == (b.x > a.x), a.y == b.y);
 }
 
 // The signed distance to an outline whose pieces have all been added.
