@@ -1,0 +1,15 @@
+//! The bindings that all templates share; `templates/bindings.md` describes them.
+
+use naga::ResourceBinding;
+
+/// The template's `view` uniform.
+pub const VIEW: ResourceBinding = ResourceBinding { group: 0, binding: 0 };
+
+/// The uniform of live numbers, `array<vec4<f32>, N>`. Only in modules of scenes that have any.
+pub const LIVE: ResourceBinding = ResourceBinding { group: 0, binding: 1 };
+
+/// The storage buffer of large outlines and polytopes, `array<vec4<f32>>`. Only in modules of scenes that have any.
+pub const TABLES: ResourceBinding = ResourceBinding { group: 0, binding: 2 };
+
+/// The group of the template's own buffers and textures.
+pub const OWN_GROUP: u32 = 1;

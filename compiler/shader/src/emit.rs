@@ -1,0 +1,200 @@
+//! Emission: the field graph as straight-line functions.
+//!
+//! * Every shape and operator of the vocabulary is a call of its function; nothing of it is repeated here.
+//! * A [`Scope`] is one function of the point `p`. Within it each point and node is evaluated once.
+//! * A node has the same name wherever it is evaluated.
+//! * Constants are literals. Live numbers are loaded from a uniform, large outlines from a storage buffer.
+
+mod blend;
+mod numbers;
+mod parts;
+mod pieces;
+mod points;
+mod shapes;
+mod surface;
+
+use chiaro_field::{Graph, NodeId, PointId};
+use chiaro_syntax::{Diagnostic, Span};
+use chiaro_vocabulary::Row;
+use naga::{Function, GlobalVariable, Handle, Module, Type};
+use rustc_hash::FxHashMap;
+
+use crate::build::{Builder, Types, Value};
+use crate::link::Linker;
+use crate::names::Names;
+use crate::tables::{Tables, TablesBuilder};
+use crate::template::Parsed;
+
+/// The most nodes a scene may have to be emitted as straight-line code, which drivers take long to compile.
+pub const MAX_NODES: usize = 20_000;
+
+/// A scene in a module.
+pub(crate) struct Emitted {
+    pub(crate) module: Module,
+    pub(crate) tables: Tables,
+    /// The functions that stand for the graph, callees first.
+    pub(crate) functions: Vec<Handle<Function>>,
+}
+
+/// Emits `scene_distance` and `scene_surface` in the place of a template's stubs.
+pub(crate) fn emit(graph: &Graph, template: &'static Parsed) -> Result<Emitted, Diagnostic> {
+    check_size(graph)?;
+    let mut emission = Emission::new(graph, template);
+    emission.scene_distance();
+    emission.scene_surface(template);
+    emission.finish()
+}
+
+fn check_size(graph: &Graph) -> Result<(), Diagnostic> {
+    let root = graph.spans.get(graph.root.0 as usize).copied();
+    let count = graph.nodes.len();
+    if count > MAX_NODES {
+        let message = format!("too many shapes for one shader: {count}, of at most {MAX_NODES}");
+        return Err(Diagnostic::error(root, message)
+            .with_hint("fewer or larger shapes, or operators such as repeat in the place of loops, need less code"));
+    }
+    let (live, most) = (graph.slots.len(), numbers::MAX_LIVE);
+    if live > most {
+        let message = format!("too many live numbers for one shader: {live}, of at most {most}");
+        return Err(Diagnostic::error(root, message).with_hint("make some of the parameters constant"));
+    }
+    Ok(())
+}
+
+/// What the functions of one module share.
+struct Emission<'g> {
+    graph: &'g Graph,
+    linker: Linker,
+    types: Types,
+    names: Names,
+    node_names: FxHashMap<NodeId, String>,
+    point_names: FxHashMap<PointId, String>,
+    numbers: numbers::Numbers<'g>,
+    parts: parts::Parts,
+    paints: surface::Paints,
+    tables: TablesBuilder,
+    tables_variable: Option<Handle<GlobalVariable>>,
+    /// How many pieces of outlines and polytopes have become straight-line code.
+    unrolled: usize,
+    /// The functions that stand for the graph.
+    functions: Vec<Handle<Function>>,
+    /// The node being evaluated, for diagnostics.
+    current: Option<Span>,
+    failure: Option<Diagnostic>,
+}
+
+impl<'g> Emission<'g> {
+    fn new(graph: &'g Graph, template: &'static Parsed) -> Self {
+        let mut linker = Linker::new(template);
+        let types = Types::of(linker.module());
+        Self {
+            graph,
+            linker,
+            types,
+            names: Names::new(template.functions.keys().cloned()),
+            node_names: FxHashMap::default(),
+            point_names: FxHashMap::default(),
+            numbers: numbers::Numbers::new(graph),
+            parts: parts::Parts::new(graph),
+            paints: surface::Paints::new(graph),
+            tables: TablesBuilder::default(),
+            tables_variable: None,
+            unrolled: 0,
+            functions: Vec::new(),
+            current: None,
+            failure: None,
+        }
+    }
+
+    fn scene_distance(&mut self) {
+        let (root, float) = (self.graph.root, self.types.float);
+        let mut scope = Scope::new(self, "scene_distance", float);
+        let distance = scope.distance(root);
+        let function = scope.finish(distance);
+        self.functions.push(self.linker.replace("scene_distance", function));
+    }
+
+    fn scene_surface(&mut self, template: &Parsed) {
+        let stub = &template.module.functions[template.functions["scene_surface"]];
+        let Some(result) = &stub.result else { unreachable!("scene.wgsl declares the result") };
+        let root = self.graph.root;
+        let mut scope = Scope::new(self, "scene_surface", result.ty);
+        let surface = scope.surface(root, result.ty);
+        let function = scope.finish(surface);
+        self.functions.push(self.linker.replace("scene_surface", function));
+    }
+
+    fn finish(self) -> Result<Emitted, Diagnostic> {
+        match self.failure {
+            Some(failure) => Err(failure),
+            None => {
+                Ok(Emitted { module: self.linker.finish(), tables: self.tables.finish(), functions: self.functions })
+            }
+        }
+    }
+
+    /// Remembers the first thing that can't be emitted; the module is thrown away then.
+    fn fail(&mut self, message: &str) {
+        self.failure.get_or_insert_with(|| Diagnostic::error(self.current, message));
+    }
+}
+
+/// One function being emitted.
+struct Scope<'e, 'g> {
+    emission: &'e mut Emission<'g>,
+    builder: Builder,
+    points: FxHashMap<PointId, Value>,
+    distances: FxHashMap<NodeId, Value>,
+    /// Live numbers by slot.
+    live: FxHashMap<usize, Value>,
+    paints: FxHashMap<surface::PaintId, surface::Look>,
+}
+
+impl<'e, 'g> Scope<'e, 'g> {
+    fn new(emission: &'e mut Emission<'g>, name: &str, result: Handle<Type>) -> Self {
+        let builder = Builder::new(name, emission.types, result);
+        Self {
+            emission,
+            builder,
+            points: FxHashMap::default(),
+            distances: FxHashMap::default(),
+            live: FxHashMap::default(),
+            paints: FxHashMap::default(),
+        }
+    }
+
+    fn finish(self, value: Value) -> Function {
+        self.builder.finish(value)
+    }
+
+    /// Calls a function of the vocabulary.
+    fn call(&mut self, row: &Row, arguments: &[Value]) -> Value {
+        self.call_named(row.function, arguments)
+    }
+
+    /// Calls a function of the vocabulary or of `scene.wgsl`.
+    fn call_named(&mut self, function: &str, arguments: &[Value]) -> Value {
+        let function = self.emission.linker.function(function);
+        self.builder.call(function, arguments)
+    }
+
+    /// Names a value with the next name of this prefix.
+    fn name(&mut self, value: Value, prefix: &'static str) -> Value {
+        let name = self.emission.names.next(prefix);
+        self.builder.name(value, name)
+    }
+
+    /// Names a node's value as everywhere.
+    fn name_node(&mut self, value: Value, node: NodeId, prefix: &'static str) -> Value {
+        let Emission { names, node_names, .. } = &mut *self.emission;
+        let name = node_names.entry(node).or_insert_with(|| names.next(prefix)).clone();
+        self.builder.name(value, name)
+    }
+
+    /// Names a point's value as everywhere.
+    fn name_point(&mut self, value: Value, point: PointId, prefix: &'static str) -> Value {
+        let Emission { names, point_names, .. } = &mut *self.emission;
+        let name = point_names.entry(point).or_insert_with(|| names.next(prefix)).clone();
+        self.builder.name(value, name)
+    }
+}

@@ -1,0 +1,104 @@
+//! Numbers: literals, and live ones from the uniform.
+
+use std::num::NonZeroU32;
+
+use chiaro_field::Graph;
+use chiaro_solid::Scalar;
+use naga::{AddressSpace, ArraySize, Expression, GlobalVariable, Handle, Span, Type, TypeInner};
+use rustc_hash::FxHashMap;
+
+use super::{Emission, Scope};
+use crate::bindings;
+use crate::build::Value;
+use crate::tables::single;
+
+/// The most live numbers: what fits into 16 KiB, which is what every device allows of a uniform buffer.
+pub(super) const MAX_LIVE: usize = 4096;
+
+/// Where live numbers are.
+pub(super) struct Numbers<'g> {
+    slots: FxHashMap<&'g Scalar, usize>,
+    variable: Option<Handle<GlobalVariable>>,
+}
+
+impl<'g> Numbers<'g> {
+    pub(super) fn new(graph: &'g Graph) -> Self {
+        let slots = graph.slots.iter().enumerate().map(|(slot, scalar)| (scalar, slot)).collect();
+        Self { slots, variable: None }
+    }
+}
+
+impl Emission<'_> {
+    /// The uniform variable of live numbers, declared when the first one is used.
+    fn live_variable(&mut self) -> Handle<GlobalVariable> {
+        if let Some(variable) = self.numbers.variable {
+            return variable;
+        }
+        let length = NonZeroU32::new(self.graph.slots.len().div_ceil(4) as u32).unwrap_or(NonZeroU32::MIN);
+        let inner = TypeInner::Array { base: self.types.vec4, size: ArraySize::Constant(length), stride: 16 };
+        let module = self.linker.module();
+        let ty = module.types.insert(Type { name: None, inner }, Span::UNDEFINED);
+        let variable = module.global_variables.append(
+            GlobalVariable {
+                name: Some("live".to_string()),
+                space: AddressSpace::Uniform,
+                binding: Some(bindings::LIVE),
+                ty,
+                init: None,
+                memory_decorations: naga::MemoryDecorations::empty(),
+            },
+            Span::UNDEFINED,
+        );
+        self.numbers.variable = Some(variable);
+        variable
+    }
+}
+
+impl Scope<'_, '_> {
+    /// A number.
+    pub(super) fn scalar(&mut self, scalar: &Scalar) -> Value {
+        match scalar.constant() {
+            Some(value) => self.constant(value),
+            None => self.live(scalar),
+        }
+    }
+
+    /// A constant. NaN is an error.
+    pub(super) fn constant(&mut self, value: f64) -> Value {
+        if value.is_nan() {
+            self.emission.fail("a number of this shape is not a number (nan)");
+            return self.builder.literal(0.0);
+        }
+        self.builder.literal(single(value))
+    }
+
+    /// A vector of two to four numbers.
+    pub(super) fn vector(&mut self, scalars: &[Scalar]) -> Value {
+        let components: Vec<Value> = scalars.iter().map(|scalar| self.scalar(scalar)).collect();
+        self.builder.vector(&components)
+    }
+
+    /// A vector of two to four constants.
+    pub(super) fn constants(&mut self, values: &[f64]) -> Value {
+        let components: Vec<Value> = values.iter().map(|value| self.constant(*value)).collect();
+        self.builder.vector(&components)
+    }
+
+    fn live(&mut self, scalar: &Scalar) -> Value {
+        let Some(&slot) = self.emission.numbers.slots.get(scalar) else {
+            self.emission.fail("a live number of this shape has no slot in the field graph");
+            return self.builder.literal(0.0);
+        };
+        if let Some(&value) = self.live.get(&slot) {
+            return value;
+        }
+        let variable = self.emission.live_variable();
+        let array = self.builder.add(Expression::GlobalVariable(variable));
+        let vector = self.builder.component(array, slot as u32 / 4);
+        let pointer = self.builder.component(vector, slot as u32 % 4);
+        let value = self.builder.load(pointer);
+        let value = self.name(value, "live");
+        self.live.insert(slot, value);
+        value
+    }
+}

@@ -1,0 +1,167 @@
+//! Parts: large scenes as several functions.
+//!
+//! Compilers take more than linear time for one large function, so the operands of large sharp Booleans are put into
+//! functions of their own, some at a time; and a large node that several others refer to is one function, so that
+//! what they share isn't copied into each.
+
+use chiaro_field::{Graph, Node, NodeId, graph::Operation};
+use naga::{Function, Handle};
+use rustc_hash::FxHashMap;
+
+use super::{Emission, Scope};
+use crate::build::Value;
+
+/// The nodes of one function, about.
+const LARGE: u32 = 128;
+/// In large scenes, a shared node of this many is a function of its own.
+const LARGE_SHARED: u32 = 32;
+
+/// How a scene is divided.
+pub(super) struct Parts {
+    /// How many nodes each node stands for, shared ones counted every time.
+    weights: Vec<u32>,
+    /// How many nodes refer to each node.
+    uses: Vec<u32>,
+    is_divided: bool,
+    functions: FxHashMap<(Operation, Vec<NodeId>), Handle<Function>>,
+}
+
+impl Parts {
+    pub(super) fn new(graph: &Graph) -> Self {
+        let mut weights: Vec<u32> = Vec::with_capacity(graph.nodes.len());
+        let mut uses = vec![0; graph.nodes.len()];
+        for node in &graph.nodes {
+            let mut weight = 1_u32;
+            for child in children(node) {
+                weight = weight.saturating_add(weights[child.0 as usize]);
+                uses[child.0 as usize] += 1;
+            }
+            weights.push(weight);
+        }
+        let is_divided = weights[graph.root.0 as usize] > LARGE;
+        Self { weights, uses, is_divided, functions: FxHashMap::default() }
+    }
+
+    /// Whether the node is too much for one function.
+    pub(super) fn is_large(&self, id: NodeId) -> bool {
+        self.weight(id) > LARGE
+    }
+
+    /// Whether several nodes refer to this one.
+    pub(super) fn is_shared(&self, id: NodeId) -> bool {
+        self.uses[id.0 as usize] > 1
+    }
+
+    /// Whether the node is a function of its own.
+    pub(super) fn is_apart(&self, id: NodeId) -> bool {
+        self.is_divided && self.is_shared(id) && self.weight(id) >= LARGE_SHARED
+    }
+
+    fn weight(&self, id: NodeId) -> u32 {
+        self.weights[id.0 as usize]
+    }
+
+    /// Consecutive nodes in chunks, each for one function or, if it is a single node, by itself.
+    fn chunks(&self, nodes: &[NodeId]) -> Vec<Vec<NodeId>> {
+        let mut chunks: Vec<Vec<NodeId>> = Vec::new();
+        let mut room = 0;
+        for &node in nodes {
+            let weight = self.weight(node);
+            match chunks.last_mut() {
+                Some(chunk) if weight <= room => {
+                    chunk.push(node);
+                    room -= weight;
+                }
+                _ => {
+                    chunks.push(vec![node]);
+                    room = LARGE.saturating_sub(weight);
+                }
+            }
+        }
+        chunks
+    }
+}
+
+/// The nodes a node refers to.
+pub(super) fn children(node: &Node) -> &[NodeId] {
+    match node {
+        Node::Nothing | Node::Shape(..) | Node::Outline(..) | Node::Polytope(..) => &[],
+        Node::Boolean(_, _, children) => children,
+        Node::Negate(child)
+        | Node::Adjust(_, _, child)
+        | Node::Extrude(_, child, _)
+        | Node::Taper(_, _, child, _)
+        | Node::Confine(_, _, child, _)
+        | Node::Paint(_, child) => std::slice::from_ref(child),
+    }
+}
+
+impl Emission<'_> {
+    /// The operands of a large sharp Boolean in the groups that `scene_surface` asks for too, by their material.
+    pub(super) fn groups(&self, nodes: &[NodeId]) -> Vec<Vec<NodeId>> {
+        let mut groups: Vec<Vec<NodeId>> = Vec::new();
+        let mut group_of = FxHashMap::default();
+        for &node in nodes {
+            let group = *group_of.entry(self.paints.painted(node)).or_insert_with(|| {
+                groups.push(Vec::new());
+                groups.len() - 1
+            });
+            groups[group].push(node);
+        }
+        groups
+    }
+}
+
+impl Scope<'_, '_> {
+    /// The least or greatest of the nodes: evaluated here if they are few, else by functions.
+    pub(super) fn reduced(&mut self, operation: Operation, nodes: &[NodeId]) -> Value {
+        let parts = &self.emission.parts;
+        let weight = nodes.iter().fold(0_u32, |sum, node| sum.saturating_add(parts.weight(*node)));
+        if weight <= LARGE {
+            return self.reduced_here(operation, nodes);
+        }
+        let chunks = parts.chunks(nodes);
+        let values: Vec<Value> = (chunks.into_iter())
+            .map(|chunk| match chunk[..] {
+                [node] => self.distance(node),
+                _ => self.by_part(operation, chunk),
+            })
+            .collect();
+        self.chain(operation, &values)
+    }
+
+    fn reduced_here(&mut self, operation: Operation, nodes: &[NodeId]) -> Value {
+        let values: Vec<Value> = nodes.iter().map(|node| self.distance(*node)).collect();
+        self.chain(operation, &values)
+    }
+
+    /// The node's distance, by a function of its own.
+    pub(super) fn distance_by_part(&mut self, id: NodeId) -> Value {
+        self.by_part(Operation::Union, vec![id])
+    }
+
+    /// The least or greatest of the nodes, by a function, which is emitted when it is first called.
+    fn by_part(&mut self, operation: Operation, nodes: Vec<NodeId>) -> Value {
+        let key = (operation, nodes);
+        let function = match self.emission.parts.functions.get(&key) {
+            Some(&function) => function,
+            None => {
+                let name = self.emission.names.next("part");
+                let float = self.emission.types.float;
+                let mut scope = Scope::new(self.emission, &name, float);
+                let value = match key.1[..] {
+                    [node] => scope.distance_here(node),
+                    _ => scope.reduced_here(operation, &key.1),
+                };
+                let function = scope.finish(value);
+                let function = self.emission.linker.define(function);
+                self.emission.functions.push(function);
+                self.emission.parts.functions.insert(key, function);
+                function
+            }
+        };
+        let point = self.builder.argument();
+        let value = self.builder.call(function, &[point]);
+        self.name(value, "group")
+    }
+}

@@ -1,0 +1,1 @@
+// The library: the scene's two functions and nothing that runs them.

@@ -1,0 +1,86 @@
+// The studio that a scene without lights stands in: a backdrop, soft boxes, a floor that catches shadows, a key light.
+//
+// Practice: everything is a closed form of a direction, so that a ray which leaves the scene costs no evaluation.
+// Radiances are such that a white surface in full light is about 1.
+
+/// The key light: how far it stands from the zenith and the front, its angular radius, and the irradiance that it
+/// gives a surface facing it.
+const KEY_DIRECTION: vec3<f32> = vec3<f32>(-0.52, -0.46, 0.72);
+const KEY_RADIUS: f32 = 0.11;
+const KEY_IRRADIANCE: vec3<f32> = vec3<f32>(2.15, 2.02, 1.86);
+
+/// The sky's radiance overhead, level, and below.
+const SKY_ZENITH: vec3<f32> = vec3<f32>(0.50, 0.53, 0.57);
+const SKY_LEVEL: vec3<f32> = vec3<f32>(0.34, 0.35, 0.37);
+const SKY_NADIR: vec3<f32> = vec3<f32>(0.22, 0.21, 0.20);
+
+/// What the floor scatters, and the share of the key light in the light that reaches it.
+const FLOOR_ALBEDO: vec3<f32> = vec3<f32>(0.62, 0.61, 0.60);
+const FLOOR_KEY_SHARE: vec3<f32> = vec3<f32>(0.50, 0.48, 0.455);
+
+/// A direction of the world as the studio's axes see it: x to the right, y away from the viewer, z up.
+fn into_studio(w: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>(w.x * view.studio.z + w.y * view.studio.w, w.y * view.studio.z - w.x * view.studio.w, w.z);
+}
+
+/// A direction of the studio in the world.
+fn from_studio(w: vec3<f32>) -> vec3<f32> {
+    return vec3<f32>(w.x * view.studio.z - w.y * view.studio.w, w.y * view.studio.z + w.x * view.studio.w, w.z);
+}
+
+/// How much of a box filter of a width about x lies within ±half, along one axis.
+fn strip(x: f32, half: f32, width: f32) -> f32 {
+    return max(min(half, x + 0.5 * width) - max(-half, x - 0.5 * width), 0.0) / width;
+}
+
+/// A soft box about the unit direction c, seen in direction w, as sharp as the lobe that sees it.
+fn soft_box(w: vec3<f32>, c: vec3<f32>, half_size: vec2<f32>, blur: f32) -> f32 {
+    let facing = dot(w, c);
+    let level = normalize(vec3<f32>(-c.y, c.x, 0.0));
+    let on_plane = vec2<f32>(dot(w, level), dot(w, cross(c, level))) / max(facing, 0.05);
+    let width = 0.06 + 2.5 * blur;
+    let seen = strip(on_plane.x, half_size.x, width) * strip(on_plane.y, half_size.y, width);
+    return seen * smoothstep(0.0, 0.25, facing);
+}
+
+/// The radiance from a direction of the world, for a lobe between a mirror's (0) and a matt body's (1).
+fn sky(direction: vec3<f32>, blur: f32) -> vec3<f32> {
+    let w = into_studio(direction);
+    let gradient = select(mix(SKY_LEVEL, SKY_NADIR, -w.z), mix(SKY_LEVEL, SKY_ZENITH, w.z), w.z > 0.0);
+    let overhead = soft_box(w, normalize(vec3<f32>(0.05, 0.15, 1.0)), vec2<f32>(0.75, 0.45), blur);
+    let left = soft_box(w, normalize(vec3<f32>(-1.0, -0.35, 0.45)), vec2<f32>(0.28, 0.62), blur);
+    let rim = soft_box(w, normalize(vec3<f32>(0.85, 0.75, 0.35)), vec2<f32>(0.20, 0.70), blur);
+    return gradient
+        + 1.5 * overhead * vec3<f32>(0.98, 0.99, 1.0)
+        + 1.9 * left * vec3<f32>(1.0, 0.97, 0.93)
+        + 1.3 * rim * vec3<f32>(0.92, 0.96, 1.0);
+}
+
+/// The sky's irradiance over π on a surface whose normal is n: what a white one sends back, where nothing hides it.
+fn ambient(n: vec3<f32>) -> vec3<f32> {
+    return mix(vec3<f32>(0.34, 0.34, 0.35), vec3<f32>(0.62, 0.64, 0.67), 0.5 + 0.5 * n.z);
+}
+
+/// What the camera sees behind everything, at a point of the picture from (−1, −1) to (1, 1) in its shorter half.
+fn backdrop(point: vec2<f32>) -> vec3<f32> {
+    let from_centre = point - vec2<f32>(0.0, -0.15);
+    let falloff = 1.0 / (1.0 + 0.28 * dot(from_centre, from_centre));
+    return vec3<f32>(0.80, 0.815, 0.835) * falloff;
+}
+
+/// Draws a direction towards the key light.
+fn key_drawn(u: vec2<f32>) -> vec3<f32> {
+    let towards = basis_across(normalize(from_studio(KEY_DIRECTION)));
+    return normalize(towards * vec3<f32>(KEY_RADIUS * unit_disc(u), 1.0));
+}
+
+/// The direct light: what the surface sends back of the key light that comes along l, where nothing hides it.
+fn key_scattered(x: Vertex, l: vec3<f32>) -> vec3<f32> {
+    return scatter_towards(x, l, KEY_RADIUS) * KEY_IRRADIANCE;
+}
+
+/// How far along a ray it meets the floor; not at all if negative. The floor is seen from above only.
+fn floor_crossing(ray: Ray) -> f32 {
+    let falls = view.studio.y > 0.5 && ray.w.z < -1e-6 && ray.o.z > view.studio.x;
+    return select(-1.0, (view.studio.x - ray.o.z) / min(ray.w.z, -1e-6), falls);
+}

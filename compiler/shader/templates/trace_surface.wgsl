@@ -1,0 +1,109 @@
+// How a surface scatters light: a Lambertian body under a GGX interface.
+//
+// Theory: f = (1 − F) ρ/π + D V F with the distribution D of Trowbridge and Reitz (GGX), Smith's height-correlated
+// visibility V and Schlick's F. Directions of the interface are drawn from the visible normals (Heitz, "Sampling the
+// GGX Distribution of Visible Normals", JCGT 2018), so that a drawn direction weighs F G₂/G₁.
+// Changes: For a light of a given angular radius D is widened by it, so that a small and bright highlight
+// on a polished surface makes no isolated bright pixels.
+
+/// A surface at a point.
+struct Vertex {
+    /// The normal, outwards, of length 1.
+    n: vec3<f32>,
+    /// The way back along the ray, on n's side.
+    v: vec3<f32>,
+    /// What the body scatters, ρ.
+    body: vec3<f32>,
+    /// What the interface reflects head-on, F₀.
+    f0: vec3<f32>,
+    /// GGX's α, the square of the roughness.
+    alpha: f32,
+}
+
+/// A direction that light comes from, and what of it the surface sends back.
+struct Scattered {
+    w: vec3<f32>,
+    weight: vec3<f32>,
+    /// From 0 for a mirror's lobe to 1 for the body's.
+    blur: f32,
+}
+
+fn vertex_of(surface: Surface, n: vec3<f32>, back: vec3<f32>) -> Vertex {
+    // Seen at a grazing angle a normal may point away from the eye: turn the view into the surface's horizon.
+    let cos_v = dot(n, back);
+    let v = normalize(back + max(0.02 - cos_v, 0.0) * n);
+    let roughness = clamp(surface.finish.x, 0.03, 1.0);
+    let metallic = clamp(surface.finish.y, 0.0, 1.0);
+    let color = clamp(surface.color.rgb, vec3<f32>(0.0), vec3<f32>(1.0));
+    let f0 = mix(vec3<f32>(0.04), color, metallic);
+    return Vertex(n, v, (1.0 - metallic) * color, f0, roughness * roughness);
+}
+
+fn fresnel(f0: vec3<f32>, cosine: f32) -> vec3<f32> {
+    let x = clamp(1.0 - cosine, 0.0, 1.0);
+    let x2 = x * x;
+    return f0 + (1.0 - f0) * (x2 * x2 * x);
+}
+
+/// Smith's Λ-form of the masking of one direction: G₁ = 2 / (1 + this).
+fn smith(alpha: f32, cosine: f32) -> f32 {
+    let c2 = cosine * cosine;
+    return sqrt(1.0 + alpha * alpha * (1.0 - c2) / c2);
+}
+
+/// f · cos for light from l, itself of an angular radius.
+fn scatter_towards(x: Vertex, l: vec3<f32>, angular_radius: f32) -> vec3<f32> {
+    let cos_l = dot(x.n, l);
+    if cos_l <= 0.0 {
+        return vec3<f32>(0.0);
+    }
+    let cos_v = max(dot(x.n, x.v), 0.01);
+    let h = normalize(l + x.v);
+    let cos_h = clamp(dot(x.n, h), 0.0, 1.0);
+    let F = fresnel(x.f0, dot(h, l));
+
+    let alpha = max(x.alpha, angular_radius);
+    let a2 = alpha * alpha;
+    let spread = cos_h * cos_h * (a2 - 1.0) + 1.0;
+    let D = a2 / (PI * spread * spread);
+    let lambdas = cos_l * cos_v * (smith(alpha, cos_v) + smith(alpha, cos_l));
+    let V = 0.5 / max(lambdas, 1e-4);
+
+    return ((1.0 - F) * x.body / PI + D * V * F) * cos_l;
+}
+
+/// Draws a direction: from the interface's lobe or from the body's, as `lobe` decides.
+fn scatter_drawn(x: Vertex, u: vec2<f32>, lobe: f32) -> Scattered {
+    let cos_v = max(dot(x.n, x.v), 0.01);
+    let F_v = fresnel(x.f0, cos_v);
+    let across = basis_across(x.n);
+
+    // Choose a lobe in proportion to what it is about to reflect.
+    let interface_share = max(F_v.x, max(F_v.y, F_v.z));
+    let body_share = max(x.body.x, max(x.body.y, x.body.z)) * (1.0 - interface_share);
+    let p_interface = interface_share / max(interface_share + body_share, 1e-4);
+    if lobe >= p_interface {
+        // The body: by the cosine.
+        let d = unit_disc(u);
+        let w = across * vec3<f32>(d, sqrt(max(1.0 - dot(d, d), 1e-4)));
+        return Scattered(normalize(w), (1.0 - F_v) * x.body / max(1.0 - p_interface, 1e-4), 1.0);
+    }
+
+    // The interface: stretch the view, draw one of the normals that it sees, unstretch that.
+    let v = vec3<f32>(dot(across[0], x.v), dot(across[1], x.v), cos_v);
+    let stretched = normalize(vec3<f32>(x.alpha * v.xy, v.z));
+    let level = normalize(vec3<f32>(-stretched.y, stretched.x + 1e-7, 0.0));
+    let rising = cross(stretched, level);
+    let d = unit_disc(u);
+    let s = 0.5 * (1.0 + stretched.z);
+    let e = mix(sqrt(max(1.0 - d.x * d.x, 0.0)), d.y, s);
+    let seen = d.x * level + e * rising + sqrt(max(1.0 - d.x * d.x - e * e, 0.0)) * stretched;
+    let h = normalize(vec3<f32>(x.alpha * seen.xy, max(seen.z, 1e-4)));
+    let l = reflect(-v, h);
+    if l.z <= 0.0 {
+        return Scattered(x.n, vec3<f32>(0.0), 0.0);
+    }
+    let masking_v = smith(x.alpha, v.z);
+    let G2_by_G1 = (1.0 + masking_v) / (masking_v + smith(x.alpha, l.z));
+    return Scattered(normalize(across * l), fresnel(x.f0, dot(h, l)) * G2_by_G1 / p_interface, sqrt(x.alpha));
+}

@@ -1,0 +1,62 @@
+// The view: where rays start, what they may meet, and the numbers they draw.
+//
+// Practice: one `View` a dispatch, in a uniform. lavapipe compiles a shader anew for every value of a uniform that
+// alone decides a branch or a loop's end, so none of these numbers may do that.
+
+struct View {
+    /// The eye in millimetres of the world; w: the Lipschitz constant L of the scene's distance.
+    eye: vec4<f32>,
+    /// The way from the picture's centre to its right edge, on the plane one millimetre before the eye.
+    right: vec4<f32>,
+    /// Likewise to its upper edge.
+    up: vec4<f32>,
+    /// Where the eye looks, of length 1; w: the angle between neighbouring pixels in radians.
+    forward: vec4<f32>,
+    /// The least corner of the box outside which there is nothing; w: the length below which f32 can't tell points.
+    box_min: vec4<f32>,
+    /// The greatest corner of that box.
+    box_max: vec4<f32>,
+    /// The floor: x: its height; y: 1 if there is one, else 0. The studio's azimuth: z: its cosine; w: its sine.
+    studio: vec4<f32>,
+    /// The picture's size in pixels; z: how many samples each pixel had before; w: 1 to start at the prepass's depths.
+    size: vec4<u32>,
+    /// The part of the picture that this dispatch draws: the first pixel and the size.
+    part: vec4<u32>,
+    /// The prepass: the edge of this level's tiles in pixels, where they are stored, and the same of the level before
+    /// (an edge of 0 for none). For the trace, the level before is the finest.
+    level: vec4<u32>,
+}
+
+@group(0) @binding(0) var<uniform> view: View;
+
+struct Ray {
+    /// Where it starts.
+    o: vec3<f32>,
+    /// Where it goes, of length 1.
+    w: vec3<f32>,
+}
+
+/// The ray from the eye through a point of the picture, in pixels from the upper left corner.
+fn camera_ray(point: vec2<f32>) -> Ray {
+    let size = vec2<f32>(view.size.xy);
+    let across = 2.0 * point.x / size.x - 1.0;
+    let upwards = 1.0 - 2.0 * point.y / size.y;
+    return Ray(view.eye.xyz, normalize(view.forward.xyz + across * view.right.xyz + upwards * view.up.xyz));
+}
+
+/// Where a ray enters the scene's box and where it leaves it; it misses the box if it leaves before it enters.
+fn box_crossing(ray: Ray) -> vec2<f32> {
+    // A direction's zero component would give 0 × ∞ for an origin on the slab.
+    let w = select(ray.w, vec3<f32>(1e-20), abs(ray.w) < vec3<f32>(1e-20));
+    let to_min = (view.box_min.xyz - ray.o) / w;
+    let to_max = (view.box_max.xyz - ray.o) / w;
+    let enter = min(to_min, to_max);
+    let leave = max(to_min, to_max);
+    return vec2<f32>(max(max(enter.x, enter.y), max(enter.z, 0.0)), min(leave.x, min(leave.y, leave.z)));
+}
+
+/// Where the tile of a prepass level that holds a pixel is stored.
+fn tile_index(pixel: vec2<u32>, edge: u32, first: u32) -> u32 {
+    let across = (view.size.x + edge - 1u) / edge;
+    return first + (pixel.y / edge) * across + pixel.x / edge;
+}
