@@ -1,1 +1,22 @@
 //! Draws a compiled scene with wgpu: devices, pipelines, progressive pictures, readback.
+//!
+//! [`Gpu`] is a device; [`Model`] is a scene compiled for it, slow to make; [`View`] says from where to look;
+//! [`Picture`] gathers samples of what is seen there, and can be shown after each; [`distances`] asks the field itself.
+
+mod error;
+mod gpu;
+mod kernel;
+mod model;
+mod parts;
+mod picture;
+mod probe;
+mod resolve;
+mod uniform;
+mod view;
+
+pub use error::{Error, Result};
+pub use gpu::{AdapterDescription, Gpu, Preference, adapters};
+pub use model::Model;
+pub use picture::{Evaluations, Picture, Timings};
+pub use probe::distances;
+pub use view::View;

@@ -1,0 +1,130 @@
+//! Compute pipelines and what is bound to them.
+
+use std::borrow::Cow;
+
+use naga::Module;
+use wgpu::{
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry,
+    BindingResource, BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, ComputePass,
+    ComputePipeline, ComputePipelineDescriptor, PipelineLayoutDescriptor, ShaderModuleDescriptor, ShaderSource,
+    ShaderStages, StorageTextureAccess, TextureFormat, TextureViewDimension,
+};
+
+use crate::error::{Error, Result};
+use crate::gpu::Gpu;
+
+/// What a binding is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Slot {
+    Uniform,
+    Read,
+    ReadWrite,
+    /// A texture of [`PIXEL_FORMAT`] that is written.
+    Pixels,
+}
+
+/// The format of finished pictures. The bytes are sRGB; a texture that says so could not be written by a kernel.
+pub(crate) const PIXEL_FORMAT: TextureFormat = TextureFormat::Rgba8Unorm;
+
+/// A compute pipeline with explicit bindings.
+#[derive(Clone, Debug)]
+pub(crate) struct Kernel {
+    pipeline: ComputePipeline,
+    layouts: Vec<BindGroupLayout>,
+}
+
+impl Kernel {
+    /// Compiles an entry point of a module; the slots of each of its groups come with their binding's number.
+    pub(crate) fn new(gpu: &Gpu, module: Module, entry: &str, groups: &[&[(u32, Slot)]]) -> Result<Self> {
+        let device = &gpu.device;
+        let kernel = gpu.checked(|| {
+            let layouts: Vec<BindGroupLayout> = groups.iter().map(|slots| layout(gpu, entry, slots)).collect();
+            let references: Vec<Option<&BindGroupLayout>> = layouts.iter().map(Some).collect();
+            let pipeline_layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
+                label: Some(entry),
+                bind_group_layouts: &references,
+                immediate_size: 0,
+            });
+            let shader = device.create_shader_module(ShaderModuleDescriptor {
+                label: Some(entry),
+                source: ShaderSource::Naga(Cow::Owned(module)),
+            });
+            let pipeline = device.create_compute_pipeline(&ComputePipelineDescriptor {
+                label: Some(entry),
+                layout: Some(&pipeline_layout),
+                module: &shader,
+                entry_point: Some(entry),
+                compilation_options: Default::default(),
+                cache: None,
+            });
+            Kernel { pipeline, layouts }
+        })?;
+        gpu.count_pipeline();
+        Ok(kernel)
+    }
+
+    /// Binds resources to a group's slots.
+    pub(crate) fn bind(&self, gpu: &Gpu, group: usize, resources: &[(u32, BindingResource)]) -> Result<BindGroup> {
+        let entries: Vec<BindGroupEntry> = resources
+            .iter()
+            .map(|(binding, resource)| BindGroupEntry { binding: *binding, resource: resource.clone() })
+            .collect();
+        gpu.checked(|| {
+            gpu.device.create_bind_group(&BindGroupDescriptor {
+                label: None,
+                layout: &self.layouts[group],
+                entries: &entries,
+            })
+        })
+    }
+
+    /// Runs it within a pass.
+    pub(crate) fn dispatch(&self, pass: &mut ComputePass, groups: &[&BindGroup], workgroups: [u32; 2]) {
+        pass.set_pipeline(&self.pipeline);
+        for (index, group) in groups.iter().enumerate() {
+            pass.set_bind_group(index as u32, *group, &[]);
+        }
+        pass.dispatch_workgroups(workgroups[0], workgroups[1], 1);
+    }
+}
+
+fn layout(gpu: &Gpu, label: &str, slots: &[(u32, Slot)]) -> BindGroupLayout {
+    let entries: Vec<BindGroupLayoutEntry> = slots.iter().map(|&(binding, slot)| entry(binding, slot)).collect();
+    gpu.device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
+}
+
+fn entry(binding: u32, slot: Slot) -> BindGroupLayoutEntry {
+    let buffer = |ty| BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+    let ty = match slot {
+        Slot::Uniform => buffer(BufferBindingType::Uniform),
+        Slot::Read => buffer(BufferBindingType::Storage { read_only: true }),
+        Slot::ReadWrite => buffer(BufferBindingType::Storage { read_only: false }),
+        Slot::Pixels => BindingType::StorageTexture {
+            access: StorageTextureAccess::WriteOnly,
+            format: PIXEL_FORMAT,
+            view_dimension: TextureViewDimension::D2,
+        },
+    };
+    BindGroupLayoutEntry { binding, visibility: ShaderStages::COMPUTE, ty, count: None }
+}
+
+/// A buffer that a storage or uniform slot takes and that can be copied from and to.
+pub(crate) fn buffer(gpu: &Gpu, what: &'static str, slot: Slot, bytes: u64) -> Result<Buffer> {
+    let limits = gpu.device.limits();
+    let (usage, binding_limit) = match slot {
+        Slot::Uniform => (BufferUsages::UNIFORM, limits.max_uniform_buffer_binding_size),
+        _ => (BufferUsages::STORAGE, limits.max_storage_buffer_binding_size),
+    };
+    let limit = binding_limit.min(limits.max_buffer_size);
+    if bytes > limit {
+        return Err(Error::SceneSize { what, needed: bytes, limit });
+    }
+    gpu.checked(|| {
+        gpu.device.create_buffer(&BufferDescriptor {
+            label: Some(what),
+            size: bytes,
+            usage: usage | BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        })
+    })
+}

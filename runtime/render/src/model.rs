@@ -1,0 +1,136 @@
+//! A scene, compiled for a device.
+
+use chiaro_field::Graph;
+use chiaro_shader::{Template, bindings, splice};
+use chiaro_solid::{Scalar, scalar::ParameterId};
+use chiaro_vocabulary::Bounds;
+use naga::Module;
+use wgpu::{BindGroup, BindingResource, Buffer};
+
+use crate::error::{Error, Result};
+use crate::gpu::Gpu;
+use crate::kernel::{Kernel, Slot, buffer};
+use crate::view::drawn_bounds;
+
+/// A scene compiled for a device: its pipelines and what they read. Making one takes long; moving its live numbers
+/// does not.
+#[derive(Clone, Debug)]
+pub struct Model {
+    pub(crate) prepass: Program,
+    pub(crate) trace: Program,
+    /// Outside there is nothing to draw.
+    pub(crate) bounds: Bounds,
+    pub(crate) lipschitz: f64,
+    /// The height that a floor would have, unless the scene has no lower end.
+    pub(crate) floor: Option<f64>,
+}
+
+/// A template with the scene spliced into it, on its way to a device.
+#[derive(Clone, Debug)]
+pub(crate) struct Source {
+    pub(crate) module: Module,
+    pub(crate) live: Vec<Scalar>,
+    pub(crate) tables: Vec<[f32; 4]>,
+}
+
+/// A template's pipeline with the scene's numbers.
+#[derive(Clone, Debug)]
+pub(crate) struct Program {
+    pub(crate) kernel: Kernel,
+    live: Vec<Scalar>,
+    live_buffer: Option<Buffer>,
+    tables: Option<Buffer>,
+}
+
+impl Model {
+    /// Compiles a scene; its live numbers have these values, in the order of their ids.
+    pub fn new(gpu: &Gpu, graph: &Graph, parameters: &[f64]) -> Result<Self> {
+        let facts = graph.facts[graph.root.0 as usize];
+        let prepass = Source::of(graph, Template::Prepass)?;
+        let trace = Source::of(graph, Template::Trace)?;
+        let model = Self {
+            prepass: Program::new(gpu, prepass, "prepass", true, &[(0, Slot::ReadWrite)])?,
+            trace: Program::new(gpu, trace, "trace", true, &[(0, Slot::Read), (1, Slot::ReadWrite)])?,
+            bounds: drawn_bounds(&facts.bounds),
+            lipschitz: facts.lipschitz,
+            floor: Some(facts.bounds.min[2]).filter(|height| height.is_finite()),
+        };
+        model.set_parameters(gpu, parameters)?;
+        Ok(model)
+    }
+
+    /// The box outside which nothing is drawn: the scene's bounds, cut where they have no end.
+    pub fn drawn_bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    pub(crate) fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
+        self.prepass.set_parameters(gpu, parameters)?;
+        self.trace.set_parameters(gpu, parameters)
+    }
+}
+
+impl Source {
+    /// A scene in a template.
+    pub(crate) fn of(graph: &Graph, template: Template) -> Result<Self> {
+        let shader = splice(graph, template).map_err(|diagnostic| Error::Scene(Box::new(diagnostic)))?;
+        let live = if shader.live_numbers > 0 { graph.slots.clone() } else { Vec::new() };
+        Ok(Self { module: shader.module, live, tables: shader.tables.rows })
+    }
+}
+
+impl Program {
+    /// Compiles a source; `own` are the slots of the template's own group.
+    pub(crate) fn new(gpu: &Gpu, source: Source, entry: &str, has_view: bool, own: &[(u32, Slot)]) -> Result<Self> {
+        let mut shared = Vec::new();
+        if has_view {
+            shared.push((bindings::VIEW.binding, Slot::Uniform));
+        }
+        let mut live_buffer = None;
+        if !source.live.is_empty() {
+            shared.push((bindings::LIVE.binding, Slot::Uniform));
+            let vectors = source.live.len().div_ceil(4) as u64;
+            live_buffer = Some(buffer(gpu, "live numbers", Slot::Uniform, 16 * vectors)?);
+        }
+        let mut tables = None;
+        if !source.tables.is_empty() {
+            shared.push((bindings::TABLES.binding, Slot::Read));
+            let rows = buffer(gpu, "tables", Slot::Read, 16 * source.tables.len() as u64)?;
+            gpu.queue.write_buffer(&rows, 0, bytemuck::cast_slice(&source.tables));
+            tables = Some(rows);
+        }
+        let kernel = Kernel::new(gpu, source.module, entry, &[&shared, own])?;
+        Ok(Self { kernel, live: source.live, live_buffer, tables })
+    }
+
+    /// Sets the live numbers that the template reads.
+    pub(crate) fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
+        let Some(buffer) = &self.live_buffer else {
+            return Ok(());
+        };
+        let mut needed = 0;
+        let mut need = |ParameterId(id): ParameterId| needed = needed.max(id as usize + 1);
+        self.live.iter().for_each(|scalar| scalar.visit_parameters(&mut need));
+        if needed > parameters.len() {
+            return Err(Error::Parameters { needed, given: parameters.len() });
+        }
+        let mut values: Vec<f32> = self.live.iter().map(|scalar| scalar.value(parameters) as f32).collect();
+        values.resize(values.len().next_multiple_of(4), 0.0);
+        gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&values));
+        Ok(())
+    }
+
+    /// Binds the group that all templates share.
+    pub(crate) fn bind_shared(&self, gpu: &Gpu, view: Option<&Buffer>) -> Result<BindGroup> {
+        let bound = [
+            (bindings::VIEW.binding, view),
+            (bindings::LIVE.binding, self.live_buffer.as_ref()),
+            (bindings::TABLES.binding, self.tables.as_ref()),
+        ];
+        let resources: Vec<(u32, BindingResource)> = bound
+            .into_iter()
+            .filter_map(|(binding, buffer)| Some((binding, buffer?.as_entire_binding())))
+            .collect();
+        self.kernel.bind(gpu, 0, &resources)
+    }
+}

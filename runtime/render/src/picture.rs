@@ -1,0 +1,287 @@
+//! A picture that gets better with every sample.
+
+use std::time::{Duration, Instant};
+
+use wgpu::{BindGroup, Buffer, Texture};
+
+use crate::error::{Error, Result};
+use crate::gpu::Gpu;
+use crate::kernel::{Slot, buffer};
+use crate::model::Model;
+use crate::parts::Parts;
+use crate::resolve::Resolver;
+use crate::uniform::{Level, Studio, ViewUniform};
+use crate::view::View;
+
+/// What the largest buffer of a picture takes for each pixel.
+pub(crate) const BYTES_PER_PIXEL: u64 = 16;
+
+/// The edges in pixels of the prepass's tiles, from coarse to fine; the last is `START_EDGE` of `trace.wgsl`.
+const LEVEL_EDGES: [u32; 2] = [16, 4];
+
+/// A picture of a model from a view. It starts black; every sample adds a path of light for each pixel.
+#[derive(Debug)]
+pub struct Picture {
+    gpu: Gpu,
+    model: Model,
+    size: [u32; 2],
+    view: View,
+    studio: Studio,
+    /// Brightness as a factor.
+    exposure: f32,
+    uses_prepass: bool,
+    buffers: Buffers,
+    resolver: Resolver,
+    levels: Vec<Level>,
+    parts: Parts,
+    samples: u32,
+    /// Whether the prepass's depths are those of the view and the live numbers.
+    has_starts: bool,
+    timings: Timings,
+}
+
+/// How long the last runs took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Timings {
+    /// The prepass.
+    pub prepass: Duration,
+    /// The last whole sample of every pixel.
+    pub sample: Duration,
+    /// What the sample in progress took so far.
+    pub so_far: Duration,
+}
+
+/// How often the scene was evaluated, on average for a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Evaluations {
+    /// For the prepass, once per view.
+    pub prepass: f64,
+    /// For one sample.
+    pub sample: f64,
+}
+
+#[derive(Debug)]
+struct Buffers {
+    view: Buffer,
+    starts: Buffer,
+    sums: Buffer,
+    prepass_groups: [BindGroup; 2],
+    trace_groups: [BindGroup; 2],
+}
+
+impl Picture {
+    /// A picture of `size` pixels (width, height). The studio's lights stand as this view sees them, and stay there
+    /// when the view changes.
+    pub fn new(gpu: &Gpu, model: &Model, view: View, size: [u32; 2]) -> Result<Self> {
+        let largest = gpu.largest_picture();
+        if size.iter().any(|&edge| edge == 0 || edge > largest) {
+            return Err(Error::PictureSize { width: size[0], height: size[1], largest });
+        }
+        let levels = levels(size);
+        let buffers = Buffers::new(gpu, model, size, &levels)?;
+        let resolver = Resolver::new(gpu, size, &buffers.sums)?;
+        let studio = Studio { floor: model.floor, azimuth: view.rotation[2].to_radians() };
+        Ok(Self {
+            gpu: gpu.clone(),
+            model: model.clone(),
+            size,
+            view,
+            studio,
+            exposure: 1.0,
+            uses_prepass: true,
+            buffers,
+            resolver,
+            levels,
+            parts: Parts::new(size),
+            samples: 0,
+            has_starts: false,
+            timings: Timings::default(),
+        })
+    }
+
+    /// Looks from elsewhere, and starts anew.
+    pub fn set_view(&mut self, view: View) -> Result<()> {
+        self.view = view;
+        self.restart()
+    }
+
+    /// Moves the live numbers to these values, in the order of their ids, and starts anew.
+    pub fn set_parameters(&mut self, parameters: &[f64]) -> Result<()> {
+        self.model.set_parameters(&self.gpu, parameters)?;
+        self.restart()
+    }
+
+    /// Sets the brightness as a factor; it needs no new samples.
+    pub fn set_exposure(&mut self, exposure: f32) {
+        self.exposure = exposure;
+    }
+
+    /// Decides whether rays start where the cone prepass ended, and starts anew. It is on unless switched off to
+    /// measure what it saves.
+    pub fn set_prepass(&mut self, on: bool) -> Result<()> {
+        self.uses_prepass = on;
+        self.restart()
+    }
+
+    /// Width and height in pixels.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// From where it is seen.
+    pub fn view(&self) -> View {
+        self.view
+    }
+
+    /// How many samples each pixel has; while one is in progress, some have one more.
+    pub fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// Adds a sample to every pixel.
+    pub fn sample(&mut self) -> Result<()> {
+        while !self.step()? {}
+        Ok(())
+    }
+
+    /// Adds a sample to some pixels, for about a tenth of a second; true if the sample is now complete.
+    pub fn step(&mut self) -> Result<bool> {
+        if !self.has_starts {
+            self.run_prepass()?;
+        }
+        let part = self.parts.current();
+        let finest = self.levels[self.levels.len() - 1];
+        let uniform = self.uniform().at_sample(self.samples, part, finest, self.uses_prepass);
+        let groups = self.buffers.trace_groups.each_ref();
+        let took = self.run(&self.model.trace.kernel, groups, &uniform, part.size)?;
+        self.timings.so_far += took;
+        let complete = self.parts.advance(took);
+        if complete {
+            self.samples += 1;
+            self.timings.sample = std::mem::take(&mut self.timings.so_far);
+        }
+        Ok(complete)
+    }
+
+    /// The picture so far for a screen: rows from the top, red, green, blue and alpha in 8 bits of sRGB each.
+    pub fn resolve(&self) -> Result<Vec<u8>> {
+        self.resolver.run(&self.gpu, self.samples, self.exposure)?;
+        self.resolver.read(&self.gpu)
+    }
+
+    /// The picture so far in a texture of the device, which stays the same one. Its format is `Rgba8Unorm`, its
+    /// contents are encoded as sRGB.
+    pub fn texture(&self) -> Result<&Texture> {
+        self.resolver.run(&self.gpu, self.samples, self.exposure)
+    }
+
+    /// The radiance of each pixel so far: rows from the top, linear red, green, blue and 1.
+    pub fn hdr(&self) -> Result<Vec<[f32; 4]>> {
+        let scale = 1.0 / self.samples.max(1) as f32;
+        let radiance = |sum: [f32; 4]| [sum[0] * scale, sum[1] * scale, sum[2] * scale, 1.0];
+        Ok(self.sums()?.into_iter().map(radiance).collect())
+    }
+
+    /// How often the scene was evaluated for the samples so far.
+    pub fn evaluations(&self) -> Result<Evaluations> {
+        let pixels = f64::from(self.size[0]) * f64::from(self.size[1]);
+        let traced: f64 = self.sums()?.iter().map(|sum| f64::from(sum[3])).sum();
+        let bytes = self.gpu.read(&self.buffers.starts)?;
+        let starts: Vec<[f32; 2]> = bytemuck::pod_collect_to_vec(&bytes);
+        let prepass: f64 = starts.iter().map(|start| f64::from(start[1])).sum();
+        Ok(Evaluations { prepass: prepass / pixels, sample: traced / pixels / f64::from(self.samples.max(1)) })
+    }
+
+    /// How long the last runs took.
+    pub fn timings(&self) -> Timings {
+        self.timings
+    }
+
+    /// Forgets all samples.
+    fn restart(&mut self) -> Result<()> {
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        encoder.clear_buffer(&self.buffers.sums, 0, None);
+        self.gpu.finish(encoder)?;
+        self.samples = 0;
+        self.parts.restart();
+        self.has_starts = false;
+        self.timings.so_far = Duration::ZERO;
+        Ok(())
+    }
+
+    fn run_prepass(&mut self) -> Result<()> {
+        self.timings.prepass = Duration::ZERO;
+        if self.uses_prepass {
+            for index in 0..self.levels.len() {
+                let level = self.levels[index];
+                let before = index.checked_sub(1).map(|index| self.levels[index]);
+                let uniform = self.uniform().at_level(level, before);
+                let groups = self.buffers.prepass_groups.each_ref();
+                let tiles = self.size.map(|edge| edge.div_ceil(level.edge));
+                self.timings.prepass += self.run(&self.model.prepass.kernel, groups, &uniform, tiles)?;
+            }
+        }
+        self.has_starts = true;
+        Ok(())
+    }
+
+    /// Runs a kernel with one invocation for each of `invocations`, and waits for it.
+    fn run(
+        &self,
+        kernel: &crate::kernel::Kernel,
+        groups: [&BindGroup; 2],
+        uniform: &ViewUniform,
+        invocations: [u32; 2],
+    ) -> Result<Duration> {
+        let started = Instant::now();
+        self.gpu.queue.write_buffer(&self.buffers.view, 0, bytemuck::bytes_of(uniform));
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        kernel.dispatch(&mut pass, &groups, invocations.map(|count| count.div_ceil(8)));
+        drop(pass);
+        self.gpu.finish(encoder)?;
+        Ok(started.elapsed())
+    }
+
+    fn uniform(&self) -> ViewUniform {
+        ViewUniform::new(&self.view, &self.model.drawn_bounds(), self.model.lipschitz, self.studio, self.size)
+    }
+
+    fn sums(&self) -> Result<Vec<[f32; 4]>> {
+        Ok(bytemuck::pod_collect_to_vec(&self.gpu.read(&self.buffers.sums)?))
+    }
+}
+
+impl Buffers {
+    fn new(gpu: &Gpu, model: &Model, size: [u32; 2], levels: &[Level]) -> Result<Self> {
+        let pixels = u64::from(size[0]) * u64::from(size[1]);
+        let tiles: u64 = levels.iter().map(|level| tiles(size, level.edge)).sum();
+        let view = buffer(gpu, "view", Slot::Uniform, size_of::<ViewUniform>() as u64)?;
+        let starts = buffer(gpu, "starting depths", Slot::ReadWrite, 8 * tiles)?;
+        let sums = buffer(gpu, "sums of samples", Slot::ReadWrite, BYTES_PER_PIXEL * pixels)?;
+        let own_prepass = [(0, starts.as_entire_binding())];
+        let own_trace = [(0, starts.as_entire_binding()), (1, sums.as_entire_binding())];
+        let prepass_groups =
+            [model.prepass.bind_shared(gpu, Some(&view))?, model.prepass.kernel.bind(gpu, 1, &own_prepass)?];
+        let trace_groups =
+            [model.trace.bind_shared(gpu, Some(&view))?, model.trace.kernel.bind(gpu, 1, &own_trace)?];
+        Ok(Self { view, starts, sums, prepass_groups, trace_groups })
+    }
+}
+
+/// The levels of the prepass, stored one behind the other.
+fn levels(size: [u32; 2]) -> Vec<Level> {
+    let mut first = 0;
+    LEVEL_EDGES
+        .iter()
+        .map(|&edge| {
+            let level = Level { edge, first };
+            first += tiles(size, edge) as u32;
+            level
+        })
+        .collect()
+}
+
+fn tiles(size: [u32; 2], edge: u32) -> u64 {
+    u64::from(size[0].div_ceil(edge)) * u64::from(size[1].div_ceil(edge))
+}
