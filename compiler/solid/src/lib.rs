@@ -3,11 +3,13 @@
 //! It is what the evaluator answers and what the field is lowered from. It knows no text beyond spans.
 
 pub mod affine;
+pub mod print;
 pub mod scalar;
 pub mod scene;
 pub mod tree;
 
 pub use affine::Affine;
+pub use print::print;
 pub use scalar::{LiveParameter, ParameterId, Scalar};
 pub use scene::{Camera, Material, Scene};
 pub use tree::{Boolean, Dimension, Joint, Profile, Solid, SolidKind};
