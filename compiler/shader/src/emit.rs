@@ -14,6 +14,7 @@ mod shapes;
 mod surface;
 
 use chiaro_field::{Graph, NodeId, PointId};
+use chiaro_solid::Scalar;
 use chiaro_syntax::{Diagnostic, Span};
 use chiaro_vocabulary::Row;
 use naga::{Function, GlobalVariable, Handle, Module, Type};
@@ -147,7 +148,9 @@ struct Scope<'e, 'g> {
     distances: FxHashMap<NodeId, Value>,
     /// Live numbers by slot.
     live: FxHashMap<usize, Value>,
-    paints: FxHashMap<surface::PaintId, surface::Look>,
+    /// The colours and finishes of materials.
+    colors: FxHashMap<[Scalar; 4], Value>,
+    finishes: FxHashMap<[Scalar; 4], Value>,
 }
 
 impl<'e, 'g> Scope<'e, 'g> {
@@ -159,7 +162,8 @@ impl<'e, 'g> Scope<'e, 'g> {
             points: FxHashMap::default(),
             distances: FxHashMap::default(),
             live: FxHashMap::default(),
-            paints: FxHashMap::default(),
+            colors: FxHashMap::default(),
+            finishes: FxHashMap::default(),
         }
     }
 

@@ -8,8 +8,10 @@ mod names;
 mod splice;
 mod tables;
 mod template;
+mod text;
 
 pub use emit::MAX_NODES;
 pub use splice::{Shader, splice};
 pub use tables::Tables;
 pub use template::Template;
+pub use text::wgsl;

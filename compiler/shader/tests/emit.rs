@@ -85,3 +85,14 @@ fn a_small_scene_validates() {
     scene.union(vec![cube, red]);
     checked(&scene.done());
 }
+
+#[test]
+fn text() {
+    let mut scene = Scene::new();
+    let at = scene.moved([10.0, 0.0, 0.0]);
+    let ball = scene.shape("sphere", &[5.0], at);
+    let cube = scene.shape("box", &[5.0, 5.0, 5.0], PointId(0));
+    let red = scene.painted([1.0, 0.0, 0.0, 1.0], ball);
+    scene.union(vec![cube, red]);
+    println!("{}", chiaro_shader::wgsl(&scene.done()).unwrap());
+}

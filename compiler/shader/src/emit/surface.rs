@@ -10,7 +10,7 @@ use chiaro_vocabulary::rows::JOINT_WEIGHT;
 use naga::{BinaryOperator, Handle, Type};
 use rustc_hash::FxHashMap;
 
-use super::{Scope, parts::children};
+use super::{Scope, blend::Joined, parts::children};
 use crate::build::Value;
 
 /// The number of a material, equal ones counted once.
@@ -105,7 +105,7 @@ enum Appearance {
 
 /// The components of a surface.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) struct Look {
+struct Look {
     color: Value,
     finish: Value,
 }
@@ -179,34 +179,35 @@ impl Scope<'_, '_> {
 
     /// The look of the nearest operand of a union or the farthest of an intersection; the first of several.
     fn foremost(&mut self, operation: Operation, operands: &[NodeId], alike: &[Alike]) -> Look {
+        let Some((first, others)) = alike.split_first() else { unreachable!("a Boolean has operands") };
         let beats = match operation {
             Operation::Union => BinaryOperator::Less,
             Operation::Intersection => BinaryOperator::Greater,
         };
-        let mut best: Option<(Value, Look)> = None;
-        for group in alike {
-            let nodes: Vec<NodeId> = group.places.iter().map(|place| operands[*place]).collect();
-            let reduced = self.reduced(operation, &nodes);
-            let distance = self.name(reduced, "extent");
+        let mut so_far = self.extent(operation, operands, first);
+        let mut best = self.look(first.appearance);
+        for (index, group) in others.iter().enumerate() {
+            let extent = self.extent(operation, operands, group);
             let look = self.look(group.appearance);
-            best = Some(match best {
-                None => (distance, look),
-                Some((so_far, before)) => {
-                    let wins = self.builder.binary(beats, distance, so_far);
-                    let wins = self.name(wins, "wins");
-                    let look = Look {
-                        color: self.chosen(wins, look.color, before.color, "color"),
-                        finish: self.chosen(wins, look.finish, before.finish, "finish"),
-                    };
-                    let extreme = self.chain(operation, &[so_far, distance]);
-                    (self.name(extreme, "so_far"), look)
-                }
-            });
+            let wins = self.builder.binary(beats, extent, so_far);
+            let wins = self.name(wins, "wins");
+            best = Look {
+                color: self.chosen(wins, look.color, best.color, "color"),
+                finish: self.chosen(wins, look.finish, best.finish, "finish"),
+            };
+            if index + 1 < others.len() {
+                let extreme = self.chain(operation, &[so_far, extent]);
+                so_far = self.name(extreme, "so_far");
+            }
         }
-        match best {
-            Some((_, look)) => look,
-            None => unreachable!("a Boolean has operands"),
-        }
+        best
+    }
+
+    /// The distance to operands that look the same.
+    fn extent(&mut self, operation: Operation, operands: &[NodeId], alike: &Alike) -> Value {
+        let nodes: Vec<NodeId> = alike.places.iter().map(|place| operands[*place]).collect();
+        let extent = self.reduced(operation, &nodes);
+        self.name(extent, "extent")
     }
 
     fn chosen(&mut self, condition: Value, accept: Value, reject: Value, prefix: &'static str) -> Value {
@@ -220,33 +221,37 @@ impl Scope<'_, '_> {
     /// The looks, each by its operands' weights in the joint.
     fn blended(&mut self, operation: Operation, joint: &Joint, operands: &[NodeId], alike: &[Alike]) -> Look {
         let joined = self.joint(operation, joint, operands);
-        let mut sum: Option<(Value, Look)> = None;
-        for group in alike {
-            let weights = group.places.iter().map(|place| joined.distances[*place]).collect::<Vec<_>>();
-            let weights = weights.into_iter().map(|distance| {
-                let arguments = [distance, joined.joint, joined.radius, joined.exponent];
-                let weight = self.call(&JOINT_WEIGHT, &arguments);
-                self.name(weight, "weight")
-            });
-            let Some(weight) = weights.collect::<Vec<_>>().into_iter().reduce(|sum, weight| self.sum(sum, weight))
-            else {
-                continue;
-            };
-            let look = self.look(group.appearance);
-            let color = self.product(look.color, weight);
-            let finish = self.product(look.finish, weight);
-            sum = Some(match sum {
-                None => (weight, Look { color, finish }),
-                Some((total, before)) => {
-                    let look = Look { color: self.sum(before.color, color), finish: self.sum(before.finish, finish) };
-                    (self.sum(total, weight), look)
-                }
-            });
-        }
-        let Some((total, Look { color, finish })) = sum else { unreachable!("a joint has operands") };
+        let weighted: Vec<(Value, Value, Value)> = (alike.iter())
+            .map(|group| {
+                let weight = self.weight(&joined, group);
+                let look = self.look(group.appearance);
+                let color = self.builder.binary(BinaryOperator::Multiply, look.color, weight);
+                let finish = self.builder.binary(BinaryOperator::Multiply, look.finish, weight);
+                (weight, color, finish)
+            })
+            .collect();
+        let sum = weighted
+            .into_iter()
+            .reduce(|sum, next| (self.sum(sum.0, next.0), self.sum(sum.1, next.1), self.sum(sum.2, next.2)));
+        let Some((total, color, finish)) = sum else { unreachable!("a joint has operands") };
         let color = self.builder.binary(BinaryOperator::Divide, color, total);
         let finish = self.builder.binary(BinaryOperator::Divide, finish, total);
         Look { color: self.name(color, "color"), finish: self.name(finish, "finish") }
+    }
+
+    /// How much operands that look the same count in a joint.
+    fn weight(&mut self, joined: &Joined, alike: &Alike) -> Value {
+        let weights: Vec<Value> = (alike.places.iter())
+            .map(|place| {
+                let arguments = [joined.distances[*place], joined.joint, joined.radius, joined.exponent];
+                let weight = self.call(&JOINT_WEIGHT, &arguments);
+                self.name(weight, "weight")
+            })
+            .collect();
+        let Some(weight) = weights.into_iter().reduce(|sum, weight| self.sum(sum, weight)) else {
+            unreachable!("some operand looks so")
+        };
+        weight
     }
 
     fn sum(&mut self, left: Value, right: Value) -> Value {
@@ -254,27 +259,21 @@ impl Scope<'_, '_> {
         self.name(sum, "sum")
     }
 
-    fn product(&mut self, left: Value, right: Value) -> Value {
-        self.builder.binary(BinaryOperator::Multiply, left, right)
-    }
-
     fn look(&mut self, appearance: Appearance) -> Look {
         match appearance {
             Appearance::Evaluated(look) => look,
-            Appearance::Paint(paint) => match self.paints.get(&paint) {
-                Some(look) => *look,
-                None => {
-                    let material = self.emission.paints.materials[paint.0].clone();
-                    let look = Look { color: self.color(&material), finish: self.finish_of(&material) };
-                    self.paints.insert(paint, look);
-                    look
-                }
-            },
+            Appearance::Paint(paint) => {
+                let material = self.emission.paints.materials[paint.0].clone();
+                Look { color: self.color(&material), finish: self.finish_of(&material) }
+            }
         }
     }
 
     /// The material's colour, linear, with its opacity.
     fn color(&mut self, material: &Material) -> Value {
+        if let Some(&color) = self.colors.get(&material.color) {
+            return color;
+        }
         let [red, green, blue, opacity] = &material.color;
         let constants: Option<Vec<f64>> = [red, green, blue].iter().map(|channel| channel.constant()).collect();
         let linear = match constants {
@@ -286,6 +285,7 @@ impl Scope<'_, '_> {
         };
         let opacity = self.scalar(opacity);
         let color = self.builder.vector4(&[&linear[..], &[opacity]].concat());
+        self.colors.insert(material.color.clone(), color);
         self.name(color, "color")
     }
 
@@ -293,7 +293,11 @@ impl Scope<'_, '_> {
     fn finish_of(&mut self, material: &Material) -> Value {
         let Material { roughness, metallic, emission, .. } = material;
         let numbers = [roughness, metallic, emission, &Scalar::ZERO].map(Scalar::clone);
+        if let Some(&finish) = self.finishes.get(&numbers) {
+            return finish;
+        }
         let finish = self.vector(&numbers);
+        self.finishes.insert(numbers, finish);
         self.name(finish, "finish")
     }
 }

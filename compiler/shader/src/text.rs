@@ -1,0 +1,208 @@
+//! A scene as readable WGSL: the vocabulary's own text, with its comments, above the scene's functions.
+
+use std::fmt::Write;
+
+use chiaro_field::Graph;
+use chiaro_syntax::Diagnostic;
+use naga::back::wgsl::{WriterFlags, write_string};
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::{AddressSpace, ArraySize, Expression, Function, FunctionArgument, Handle, Module, Span, TypeInner};
+use rustc_hash::FxHashSet;
+
+use crate::emit::{Emitted, emit};
+use crate::template::{SCENE, Template};
+
+/// The scene as a WGSL library of `scene_distance` and `scene_surface`, with what they call and nothing else.
+///
+/// Where it declares `live` or `tables`, the bindings are those of [`bindings`](crate::bindings).
+pub fn wgsl(graph: &Graph) -> Result<String, Diagnostic> {
+    let emitted = emit(graph, Template::Library.parsed())?;
+    let own = own_text(&emitted)?;
+    let mut text = String::new();
+    for declaration in called(&emitted, &own) {
+        text += declaration.text;
+        text += "\n";
+    }
+    text += &variables(&emitted.module);
+    text += own.trim_end();
+    text += "\n";
+    Ok(text)
+}
+
+/// A declaration of a WGSL text, with the comment above it.
+struct Declaration<'s> {
+    name: &'s str,
+    text: &'s str,
+}
+
+/// The declarations of the vocabulary and of `scene.wgsl` that the scene reaches, in their order.
+fn called(emitted: &Emitted, own: &str) -> Vec<Declaration<'static>> {
+    let module = &emitted.module;
+    let functions: FxHashSet<&str> = (module.functions.iter())
+        .filter(|(handle, _)| !emitted.functions.contains(handle))
+        .filter_map(|(_, function)| function.name.as_deref())
+        .collect();
+    let all: Vec<Declaration> = declarations(chiaro_vocabulary::source()).chain(declarations(SCENE)).collect();
+    let texts = all.iter().filter(|declaration| functions.contains(declaration.name)).map(|own| own.text);
+    let words: FxHashSet<&str> = texts.chain([own]).flat_map(words).collect();
+    let is_scene = |name: &str| name == "scene_distance" || name == "scene_surface";
+    all.into_iter()
+        .filter(|declaration| words.contains(declaration.name) && !is_scene(declaration.name))
+        .filter(|declaration| !declaration.text.contains("\nfn ") || functions.contains(declaration.name))
+        .collect()
+}
+
+/// The top-level declarations of a text that starts each one, and only them, with its keyword in the first column.
+fn declarations(text: &'static str) -> impl Iterator<Item = Declaration<'static>> {
+    let mut start = 0;
+    let mut end = 0;
+    let mut name = None;
+    text.split_inclusive('\n').filter_map(move |line| {
+        end += line.len();
+        let keyword = ["fn ", "const ", "struct "].into_iter().find_map(|keyword| line.strip_prefix(keyword));
+        if let Some(rest) = keyword {
+            name = words(rest).next();
+        }
+        let closes = line.starts_with('}') || (line.starts_with("const ") && line.trim_end().ends_with(';'));
+        if line.trim().is_empty() {
+            start = if name.is_none() { end } else { start };
+            return None;
+        }
+        if !closes {
+            return None;
+        }
+        let declaration = Declaration { name: name.take()?, text: &text[start..end] };
+        start = end;
+        Some(declaration)
+    })
+}
+
+/// The identifiers, and numbers, of a text.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
+}
+
+/// The declarations of `live` and `tables`, if there are any.
+fn variables(module: &Module) -> String {
+    let mut text = String::new();
+    for (_, variable) in module.global_variables.iter() {
+        let (Some(name), Some(binding)) = (&variable.name, variable.binding) else { continue };
+        let space = match variable.space {
+            AddressSpace::Uniform => "uniform",
+            _ => "storage",
+        };
+        let length = match module.types[variable.ty].inner {
+            TypeInner::Array { size: ArraySize::Constant(length), .. } => format!(", {length}"),
+            _ => String::new(),
+        };
+        let (group, binding) = (binding.group, binding.binding);
+        // Writing to a string can't fail.
+        let _ = writeln!(text, "@group({group}) @binding({binding}) var<{space}> {name}: array<vec4<f32>{length}>;\n");
+    }
+    text
+}
+
+/// The text of the functions that stand for the graph.
+fn own_text(emitted: &Emitted) -> Result<String, Diagnostic> {
+    let mut blank = emitted.module.clone();
+    for (_, function) in blank.functions.iter_mut() {
+        *function = blanked(function);
+    }
+    let mut text = String::new();
+    for &handle in &emitted.functions {
+        let function = &emitted.module.functions[handle];
+        let printed = printed(&mut blank, handle, function)
+            .map_err(|error| Diagnostic::error(None, format!("this scene makes invalid WGSL: {error}")))?;
+        text += comment(function);
+        text += &unwrapped(&renamed(&printed, function));
+        text += "\n";
+    }
+    Ok(text)
+}
+
+/// The function without a body and without names, so that the writer need not tell its names from others.
+fn blanked(function: &Function) -> Function {
+    let arguments = function.arguments.iter().map(|argument| FunctionArgument { name: None, ..argument.clone() });
+    let mut blank = Function {
+        name: function.name.clone(),
+        arguments: arguments.collect(),
+        result: function.result.clone(),
+        ..Function::default()
+    };
+    let value = (function.result.as_ref())
+        .map(|result| blank.expressions.append(Expression::ZeroValue(result.ty), Span::UNDEFINED));
+    blank.body.push(naga::Statement::Return { value }, Span::UNDEFINED);
+    blank
+}
+
+/// One function, as naga writes it into a module of blank ones.
+fn printed(blank: &mut Module, handle: Handle<Function>, function: &Function) -> Result<String, String> {
+    let mut place = std::mem::replace(blank.functions.get_mut(handle), function.clone());
+    let info = Validator::new(ValidationFlags::all(), Capabilities::default())
+        .validate(blank)
+        .map_err(|error| error.into_inner().to_string())?;
+    let text = write_string(blank, &info, WriterFlags::empty()).map_err(|error| error.to_string())?;
+    std::mem::swap(blank.functions.get_mut(handle), &mut place);
+    let name = function.name.as_deref().unwrap_or_default();
+    let start = text.find(&format!("fn {name}(")).ok_or("a function is missing")?;
+    let end = text[start..].find("\n}\n").ok_or("a function does not end")?;
+    Ok(text[start..start + end + "\n}\n".len()].to_string())
+}
+
+/// The comment above a function that stands for the graph.
+fn comment(function: &Function) -> &'static str {
+    let stub = declarations(SCENE).find(|stub| Some(stub.name) == function.name.as_deref());
+    match stub.and_then(|stub| stub.text.find("fn ").map(|end| &stub.text[..end])) {
+        Some(comment) => comment,
+        None => "// The distance to some of the scene's shapes, in millimetres.\n",
+    }
+}
+
+/// The text with the results of calls by their names: naga writes `_e7` for expression 7, whatever its name.
+fn renamed(text: &str, function: &Function) -> String {
+    let names: rustc_hash::FxHashMap<usize, &str> =
+        function.named_expressions.iter().map(|(handle, name)| (handle.index(), name.as_str())).collect();
+    let mut result = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(start) = rest.find("_e") {
+        let (before, token) = rest.split_at(start);
+        let digits = token[2..].find(|c: char| !c.is_ascii_digit()).unwrap_or(token.len() - 2);
+        let (token, after) = token.split_at(2 + digits);
+        let is_whole = !before.ends_with(|c: char| c.is_ascii_alphanumeric() || c == '_')
+            && !after.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_');
+        let name = token[2..].parse().ok().and_then(|index: usize| names.get(&index)).filter(|_| is_whole);
+        result += before;
+        result += name.unwrap_or(&token);
+        rest = after;
+    }
+    result + rest
+}
+
+/// The text without the parentheses that naga writes around a whole value: `let a = (b + c);`.
+fn unwrapped(text: &str) -> String {
+    let line = |line: &str| {
+        let (start, value) = line.split_once(" = (")?;
+        let value = value.strip_suffix(");\n")?;
+        is_balanced(value).then(|| format!("{start} = {value};\n"))
+    };
+    text.split_inclusive('\n').map(|text| line(text).unwrap_or_else(|| text.to_string())).collect()
+}
+
+/// Whether every closing parenthesis has its opening one before it.
+fn is_balanced(text: &str) -> bool {
+    let mut depth = 0_usize;
+    text.chars().all(|c| match c {
+        '(' => {
+            depth += 1;
+            true
+        }
+        ')' => match depth.checked_sub(1) {
+            Some(less) => {
+                depth = less;
+                true
+            }
+            None => false,
+        },
+        _ => true,
+    })
+}
