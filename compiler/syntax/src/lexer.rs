@@ -197,7 +197,12 @@ fn sign(text: &str) -> IResult<&str, TokenKind> {
         value(TokenKind::ShiftLeft, tag("<<")),
         value(TokenKind::ShiftRight, tag(">>")),
     ));
-    alt((two, map_opt(anychar, single_sign))).parse(text)
+    let mut one = map_opt(anychar, single_sign);
+    // Most signs of a large file are commas and brackets, which need no search for longer operators.
+    match text.as_bytes().get(1) {
+        Some(b'&' | b'|' | b'=' | b'<' | b'>') => alt((two, one)).parse(text),
+        _ => one.parse(text),
+    }
 }
 
 fn single_sign(sign: char) -> Option<TokenKind> {

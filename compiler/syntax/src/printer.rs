@@ -54,6 +54,13 @@ impl Printer {
         }
     }
 
+    /// Leaves a line blank, unless there is nothing above or a blank line already. The current line is empty.
+    fn blank_line(&mut self) {
+        if !self.text.is_empty() && !self.text.ends_with("\n\n") {
+            self.line_break();
+        }
+    }
+
     /// Prints on one line what fits on one, or else the other way.
     fn on_one_line_or(&mut self, on_one_line: impl FnOnce(&mut Self), otherwise: impl FnOnce(&mut Self)) {
         if self.limit.is_some() {

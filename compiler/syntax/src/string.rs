@@ -9,6 +9,9 @@ use nom::combinator::{map, recognize, value};
 use nom::sequence::preceded;
 use nom::{IResult, Parser as _};
 
+/// A code point 0 would end OpenSCAD's strings, so that it is a space there, and here.
+const INSTEAD_OF_NUL: char = ' ';
+
 /// A part of a string.
 #[derive(Clone)]
 enum Piece<'a> {
@@ -73,11 +76,11 @@ fn escape(text: &str) -> IResult<&str, Piece<'_>> {
     .parse(text)
 }
 
-/// Two digits up to 7F. A zero would end OpenSCAD's strings, so that it is a space there, and here.
+/// Two digits up to 7F.
 fn ascii_code(text: &str) -> IResult<&str, char> {
     let digits = recognize((one_of("01234567"), satisfy(|digit| digit.is_ascii_hexdigit())));
     map(digits, |digits| match u8::from_str_radix(digits, 16) {
-        Ok(0) | Err(_) => ' ',
+        Ok(0) | Err(_) => INSTEAD_OF_NUL,
         Ok(code) => code as char,
     })
     .parse(text)
@@ -89,7 +92,11 @@ fn hexadecimal<'a>(digits: usize) -> impl FnMut(&'a str) -> IResult<&'a str, &'a
 
 fn character(digits: &str) -> Piece<'static> {
     let code = u32::from_str_radix(digits, 16).ok();
-    code.filter(|code| *code != 0).and_then(char::from_u32).map_or(Piece::NoCharacter, Piece::Character)
+    match code.and_then(char::from_u32) {
+        None => Piece::NoCharacter,
+        Some('\0') => Piece::Character(INSTEAD_OF_NUL),
+        Some(character) => Piece::Character(character),
+    }
 }
 
 #[cfg(test)]
@@ -104,8 +111,8 @@ mod tests {
 
     #[test]
     fn escapes_become_their_characters() {
-        let (value, places) = unescaped(r#"a\n\t\r\\\"\x41\x00\u00e9\U01F600"#);
-        assert_eq!(value, "a\n\t\r\\\"A é😀");
+        let (value, places) = unescaped(r#"a\n\t\r\\\"\x41\x00\u0000\u00e9\U01F600"#);
+        assert_eq!(value, "a\n\t\r\\\"A  é😀");
         assert!(places.is_empty());
     }
 

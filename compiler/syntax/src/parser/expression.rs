@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::Parser;
 use crate::source::Span;
-use crate::token::TokenKind;
+use crate::token::{Token, TokenKind};
 use crate::tree::{Argument, BinaryOperator, Expression, ExpressionKind, FunctionLiteral, Parameter, UnaryOperator};
 
 impl Parser<'_> {
@@ -181,6 +181,7 @@ impl Parser<'_> {
     fn no_operand(&mut self) -> Expression {
         let error = self.unexpected("an expression");
         let word = &self.text[self.token.range()];
+        let start = self.token.start;
         match self.token.kind {
             TokenKind::Function | TokenKind::Let | TokenKind::Assert | TokenKind::Echo => {
                 self.error(error.with_hint(format!("an operand that begins with `{word}` stands in parentheses")));
@@ -188,22 +189,22 @@ impl Parser<'_> {
             }
             TokenKind::OpenBrace => {
                 self.error(error.with_hint("a list stands in brackets: `[1, 2]`"));
-                let start = self.token.start;
                 self.skip_braces();
-                return Expression::new(ExpressionKind::Error, self.span_from(start));
             }
             TokenKind::If => {
-                self.error(error.with_hint("an expression chooses with `condition ? one value : another`"))
+                self.error(error.with_hint("an expression chooses with `condition ? one value : another`"));
+                self.skip_in_brackets(&[TokenKind::Comma]);
             }
             TokenKind::For | TokenKind::Each => {
-                self.error(
-                    error.with_hint(format!("in expressions, `{word}` stands in a list: `[for (i = [0:9]) i]`")),
-                );
+                let hint = format!("in expressions, `{word}` stands in a list: `[for (i = [0:9]) i]`");
+                self.error(error.with_hint(hint));
+                self.skip_in_brackets(&[TokenKind::Comma]);
             }
             TokenKind::Comma => self.error(error.with_hint("only one comma may follow a value")),
             _ => self.error(error),
         }
-        self.nothing()
+        let end = self.previous_end.max(start);
+        Expression::new(ExpressionKind::Error, Span { file: self.file, start, end })
     }
 
     /// Reads `( name = value, value, … )`. If there is no `(`, that is reported and nothing is read.
@@ -219,7 +220,7 @@ impl Parser<'_> {
     }
 
     /// Reads arguments up to the `)` of `opener`, or a `;`.
-    pub(super) fn argument_list(&mut self, opener: crate::token::Token) -> Vec<Argument> {
+    pub(super) fn argument_list(&mut self, opener: Token) -> Vec<Argument> {
         let mut arguments = Vec::new();
         while !matches!(self.token.kind, TokenKind::CloseParenthesis | TokenKind::Semicolon | TokenKind::End) {
             arguments.push(self.argument());
@@ -244,7 +245,7 @@ impl Parser<'_> {
     pub(super) fn parameters(&mut self) -> Vec<Parameter> {
         let mut parameters = Vec::new();
         if !self.at(TokenKind::OpenParenthesis) {
-            self.expected("`(`");
+            self.expected_but("`(`", "parameters stand in parentheses, even if there are none");
             return parameters;
         }
         let opener = self.open();

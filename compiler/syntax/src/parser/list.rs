@@ -14,7 +14,7 @@ impl Parser<'_> {
             match element {
                 Element::Value(start) if elements.is_empty() && self.eat(TokenKind::Colon) => {
                     let range = self.range_from(start);
-                    self.close(opener, "`:` or `]`");
+                    self.close(opener, "`]`");
                     return range;
                 }
                 element => elements.push(element),
@@ -123,11 +123,11 @@ impl Parser<'_> {
         element
     }
 
-    /// Reads `( condition )`.
+    /// Reads `( condition )`. Parentheses that are missing are reported.
     pub(super) fn condition(&mut self) -> Expression {
         if !self.at(TokenKind::OpenParenthesis) {
             self.expected_but("`(`", "a condition stands in parentheses: `if (a > b) …`");
-            return self.nothing();
+            return if self.token.kind.begins_expression() { self.expression() } else { self.nothing() };
         }
         let opener = self.open();
         let condition = self.expression();

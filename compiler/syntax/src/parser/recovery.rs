@@ -141,7 +141,7 @@ impl Parser<'_> {
     }
 
     /// Skips tokens, in whole brackets, up to one of `stops` or where the brackets end.
-    fn skip_in_brackets(&mut self, stops: &[TokenKind]) {
+    pub(super) fn skip_in_brackets(&mut self, stops: &[TokenKind]) {
         let mut nesting = 0_usize;
         loop {
             let kind = self.token.kind;

@@ -7,8 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::source::{Span, Spanned};
 use crate::token::TokenKind;
 use crate::tree::{
-    Argument, Assignment, Expression, FunctionDefinition, FunctionLiteral, Instance, Modifiers, ModuleDefinition, Name,
-    Statement,
+    Argument, Assignment, FunctionDefinition, FunctionLiteral, Instance, Modifiers, ModuleDefinition, Name, Statement,
 };
 
 impl Parser<'_> {
@@ -205,22 +204,31 @@ impl Parser<'_> {
             );
             return Some(Vec::new());
         }
-        let error = self.unexpected("`(` or `=`");
-        let changes = self.ahead.kind == TokenKind::Assign || self.token.kind == self.ahead.kind;
-        let error = match self.token.kind {
-            TokenKind::Plus | TokenKind::Minus | TokenKind::Star | TokenKind::Slash if changes => {
-                error.with_hint("a variable has one value; it can't be changed step by step")
-            }
-            _ => error,
-        };
-        self.error(error);
+        match self.instance_hint(&name.node) {
+            Some(hint) => self.expected_but("`(` or `=`", hint),
+            None => self.expected("`(` or `=`"),
+        }
         self.skip_statement();
         None
     }
 
+    /// What the user may have meant by the next token, which stands behind a name but can't.
+    fn instance_hint(&self, name: &str) -> Option<&'static str> {
+        match (name, self.token.kind) {
+            ("use", _) => Some("write `use <file>`"),
+            ("include", _) => Some("write `include <file>`"),
+            ("for", _) => Some("write `for (i = [0:9]) …`"),
+            (_, TokenKind::Dot | TokenKind::OpenBracket) => Some("the parts of a variable can't be changed"),
+            (_, TokenKind::Plus | TokenKind::Minus | TokenKind::Star | TokenKind::Slash) => {
+                Some("a variable has one value, which can't be changed step by step")
+            }
+            _ => None,
+        }
+    }
+
     fn if_instance(&mut self, start: u32, modifiers: Modifiers) -> Instance {
         let name = self.bump_name();
-        let value: Expression = self.condition();
+        let value = self.condition();
         let head = self.span_from(name.span.start);
         let children = self.children(head);
         let otherwise = if self.at(TokenKind::Else) {

@@ -130,6 +130,23 @@ fn many_mistakes_are_reported_at_once_and_each_once() {
 }
 
 #[test]
+fn what_other_languages_write_is_one_error_each() {
+    assert_eq!(
+        messages(
+            "if a > b { c(); }\nx = if (a) 3 else 4;\ny = {1, 2};\nz = 1 + let (a = 1) a;\nuse file;\nm.x = [1 2 3];"
+        ),
+        [
+            "1:4 expected `(`, found the name `a`",
+            "2:5 expected an expression, found `if`",
+            "3:5 expected an expression, found `{`",
+            "4:9 expected an expression, found `let`",
+            "5:5 expected `(` or `=`, found the name `file`",
+            "6:2 expected `(` or `=`, found `.`",
+        ]
+    );
+}
+
+#[test]
 fn brackets_left_open_name_their_opener() {
     let text = "module m() {\n  cube([1, 2);\n";
     let (_, diagnostics) = parse(FILE, text, Dialect::Program);
@@ -160,6 +177,11 @@ fn no_more_than_a_hundred_errors_are_shown() {
     let messages = messages(&"a = ;\n".repeat(1000));
     assert_eq!(messages.len(), 101);
     assert_eq!(messages[100], "101:5 further errors are not shown");
+}
+
+#[test]
+fn files_that_are_too_large_are_refused() {
+    assert_eq!(messages(&" ".repeat(MAX_FILE_BYTES + 1)), ["1:1 the file is larger than 128 MB"]);
 }
 
 #[test]

@@ -27,6 +27,7 @@ impl Printer {
 
     fn open_group(&mut self, group: &str) {
         if self.group.as_deref() != Some(group) {
+            self.blank_line();
             self.write(&format!("/* [{group}] */"));
             self.line_break();
             self.group = Some(group.to_owned());

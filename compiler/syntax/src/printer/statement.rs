@@ -9,6 +9,9 @@ impl Printer {
             |statement: &Statement| matches!(statement, Statement::Assignment(a) if a.customizer.is_some());
         let parameters_end = statements.iter().rposition(is_parameter).unwrap_or(0);
         for (index, statement) in statements.iter().enumerate() {
+            if index > 0 && is_module(statement) {
+                self.blank_line();
+            }
             match statement {
                 Statement::Assignment(assignment) => self.top_level_assignment(assignment),
                 // A brace here would hide the parameters that follow.
@@ -22,10 +25,8 @@ impl Printer {
                 statement => self.statement(statement),
             }
             self.line_break();
-            if let Statement::Module(_) = statement
-                && index + 1 < statements.len()
-            {
-                self.line_break();
+            if index + 1 < statements.len() && is_module(statement) {
+                self.blank_line();
             }
         }
     }
@@ -161,6 +162,10 @@ impl Printer {
         self.statement(statement);
         self.indentation -= 1;
     }
+}
+
+fn is_module(statement: &Statement) -> bool {
+    matches!(statement, Statement::Module(_))
 }
 
 /// Whether an `else` behind a statement would become part of it.

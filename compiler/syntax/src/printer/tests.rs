@@ -20,6 +20,7 @@ fn programs_are_well_formatted() {
         for(i=[0:2:10])m();";
     let expected = "\
 use <a.scad>
+
 module m(a, b = [1, 2]) {
     translate([a, 0, 0]) #cube(b, center = true);
     x = a * (b + 1);
@@ -54,6 +55,7 @@ module first()
 
 /* [Hidden] */
 hidden = 1;
+
 /* [Size] */
 // Its width
 width = 10; // [0:0.5:20]
