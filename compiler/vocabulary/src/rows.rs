@@ -15,11 +15,11 @@ pub use helpers::{
     OP_EXTRUDE, OP_TAPER, OUTLINE_ARC, OUTLINE_END, OUTLINE_LINE, OUTLINE_START, PLANE_POINT, POLYTOPE_END,
     POLYTOPE_START, POLYTOPE_TRIANGLE,
 };
-pub use planes::{CIRCLE, ELLIPSE, NGON, RECTANGLE, RING, STAR, WEDGE};
+pub use planes::{ARC, CIRCLE, EGG, ELLIPSE, NGON, PIE, RECTANGLE, RING, STAR, VESICA, WEDGE};
 pub use sections::{EXTRUDE, REVOLVE, REVOLVE_FACETS, SLICE, TWIST};
 pub use solids::{
-    BOX, BOX_FRAME, CAPSULE, CONE, CYLINDER, ELLIPSOID, GYROID, HALF_SPACE, LINK, OCTAHEDRON, PYRAMID, ROUND_CONE,
-    SPHERE, TORUS,
+    BOX, BOX_FRAME, CAPSULE, CONE, CYLINDER, DODECAHEDRON, DOME, ELLIPSOID, GYROID, HALF_SPACE, ICOSAHEDRON, LINK,
+    OCTAHEDRON, PYRAMID, ROUND_CONE, SPHERE, TETRAHEDRON, TORUS,
 };
 
 use crate::bounds::Bounds;
@@ -37,9 +37,13 @@ static ROWS: &[&Row] = &[
     &ELLIPSOID,
     &HALF_SPACE,
     &BOX_FRAME,
+    &TETRAHEDRON,
     &OCTAHEDRON,
+    &DODECAHEDRON,
+    &ICOSAHEDRON,
     &LINK,
     &PYRAMID,
+    &DOME,
     &GYROID,
     &CIRCLE,
     &RECTANGLE,
@@ -47,6 +51,10 @@ static ROWS: &[&Row] = &[
     &ELLIPSE,
     &RING,
     &STAR,
+    &ARC,
+    &PIE,
+    &EGG,
+    &VESICA,
     &WEDGE,
     &TWIST,
     &REVOLVE,
@@ -97,8 +105,8 @@ const fn length(name: &'static str, default: f64, manual: &'static str) -> Param
 }
 
 /// An angle.
-const fn angle(name: &'static str, manual: &'static str) -> Parameter {
-    Parameter { name, ty: Type::Float, unit: Unit::Angle, default: None, manual }
+const fn angle(name: &'static str, default: Option<f64>, manual: &'static str) -> Parameter {
+    Parameter { name, ty: Type::Float, unit: Unit::Angle, default, manual }
 }
 
 /// A plain number.

@@ -31,6 +31,9 @@ fn arguments(row: &Row, random: &mut Random) -> Vec<f64> {
         "ngon" => vec![sizes[0], random.of(&[3.0, 4.0, 5.0, 6.0, 12.0])],
         "ring" => vec![sizes[0], sizes[0] * random.of(&[0.0, 0.3, 0.9])],
         "star" => vec![sizes[0], sizes[0] * random.within(0.1, 1.0), random.of(&[2.0, 3.0, 5.0, 8.0])],
+        "dome" => vec![sizes[0], sizes[0] * random.within(-0.9, 0.9)],
+        "arc" => vec![sizes[0], 0.3 * sizes[1], random.within(-7.0, 7.0), random.within(0.1, 6.2)],
+        "pie" => vec![sizes[0], random.within(-7.0, 7.0), random.within(0.1, 6.2)],
         "wedge" => vec![random.within(-7.0, 7.0), random.within(0.1, 6.2)],
         _ => sizes,
     }
@@ -176,6 +179,36 @@ fn inside(row: &Row, p: &[f64], a: &[f64]) -> Option<bool> {
             let bend = length([p[0], (p[1].abs() - a[0]).max(0.0)]);
             length([bend - a[1], z]) < a[2]
         }
+        "tetrahedron" => {
+            let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+            corners.iter().all(|corner| -dot(*corner, [p[0], p[1], z]) < a[0] / 3.0_f64.sqrt())
+        }
+        "dodecahedron" => {
+            let g = 0.5 * (1.0 + 5.0_f64.sqrt());
+            let inner = a[0] * g * g / (3.0 * (1.0 + g * g)).sqrt();
+            (0..3).all(|axis| {
+                let (x, z) = (p[axis].abs(), p[(axis + 2) % 3].abs());
+                x + g * z < inner * (1.0 + g * g).sqrt()
+            })
+        }
+        "icosahedron" => {
+            let g = 0.5 * (1.0 + 5.0_f64.sqrt());
+            let inner = a[0] * g * g / (3.0 * (1.0 + g * g)).sqrt();
+            let sum = p[0].abs() + p[1].abs() + z.abs();
+            let oblique = |axis: usize| p[(axis + 1) % 3].abs() / g + g * p[(axis + 2) % 3].abs();
+            sum.max(oblique(0)).max(oblique(1)).max(oblique(2)) < inner * 3.0_f64.sqrt()
+        }
+        "dome" => length([p[0], p[1], z]) < a[0] && z > a[1],
+        "arc" => (0..=1000).any(|i| {
+            let (s, c) = (a[2] + a[3] * f64::from(i) * 1e-3).sin_cos();
+            length([p[0] - a[0] * c, p[1] - a[0] * s]) < 0.5 * a[1]
+        }),
+        "pie" => across < a[0] && (p[1].atan2(p[0]) - a[1]).rem_euclid(std::f64::consts::TAU) < a[2],
+        "egg" => (0..=1000).any(|i| {
+            let t = f64::from(i) * 1e-3;
+            length([p[0], p[1] - a[2] * t]) < a[0] + t * (a[1] - a[0])
+        }),
+        "vesica" => [0.5, -0.5].iter().all(|side| length([p[0] - side * a[1].min(2.0 * a[0]), p[1]]) < a[0]),
         "pyramid" => z > 0.0 && p[0].abs().max(p[1].abs()) < 0.5 * a[0] * (1.0 - z / a[1]),
         "circle" => across < a[0],
         "rectangle" => p[0].abs() < a[0] && p[1].abs() < a[1],

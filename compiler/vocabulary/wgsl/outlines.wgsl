@@ -17,17 +17,17 @@ fn outline_line(state: vec2<f32>, p: vec2<f32>, a: vec2<f32>, b: vec2<f32>) -> v
     return vec2(min(state.x, dot(gap, gap)), select(state.y, -state.y, crossed));
 }
 
-// Adds the arc around center from a over sweep radians to b, clockwise if negative, at most a full turn (then
+// Adds the arc around pivot from a over sweep radians to b, clockwise if negative, at most a full turn (then
 // a = b). a and b must be the very numbers its neighbours have, however they round: what the ray crosses is
 // the chord, and then the other side of the arc if p is in the circle and on the arc's side of the chord.
 fn outline_arc(
-    state: vec2<f32>, p: vec2<f32>, a: vec2<f32>, b: vec2<f32>, center: vec2<f32>, sweep: f32,
+    state: vec2<f32>, p: vec2<f32>, a: vec2<f32>, b: vec2<f32>, pivot: vec2<f32>, sweep: f32,
 ) -> vec2<f32> {
-    let radius = length(a - center);
-    let from_center = p - center;
-    let q = length(from_center);
-    let middle = turned_back(a - center, -0.5 * sweep);
-    let in_sector = dot(from_center, middle) >= q * radius * cos(0.5 * sweep);
+    let radius = length(a - pivot);
+    let from_pivot = p - pivot;
+    let q = length(from_pivot);
+    let middle = turned_back(a - pivot, -0.5 * sweep);
+    let in_sector = dot(from_pivot, middle) >= q * radius * cos(0.5 * sweep);
     let to_end = min(dot(p - a, p - a), dot(p - b, p - b));
     let squared = select(to_end, (q - radius) * (q - radius), in_sector);
     let closed = (a.x == b.x) & (a.y == b.y);
@@ -36,14 +36,14 @@ fn outline_arc(
     return vec2(min(state.x, squared), select(state.y, -state.y, crossed));
 }
 
-// Whether the ray from p towards +x crosses the line from a to b: one end is above p, and p is at the line's left side
-// if it goes up and at its right if it goes down.
+// Whether the ray from p towards +x crosses the line from a to b: one end is above p, and p is at the line's
+// left side if it goes up and at its right if it goes down.
 fn outline_crosses(p: vec2<f32>, a: vec2<f32>, b: vec2<f32>) -> bool {
     return ((a.y > p.y) != (b.y > p.y)) & (outline_left(p, a, b) == (b.y > a.y));
 }
 
-// Whether p is at the left side of the line from a to b. What is level with a level line counts as above it, as it does
-// for crossings.
+// Whether p is at the left side of the line from a to b. What is level with a level line counts as above it,
+// as it does for crossings.
 fn outline_left(p: vec2<f32>, a: vec2<f32>, b: vec2<f32>) -> bool {
     let turn = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
     return select(turn > 0.0, (p.y >= a.y) == (b.x > a.x), a.y == b.y);

@@ -77,3 +77,43 @@ fn sd_wedge(p: vec2<f32>, start: f32, sweep: f32) -> f32 {
     let inside = folded.x * ray.y - folded.y * ray.x > 0.0;
     return select(1.0, -1.0, inside) * length(to_ray);
 }
+
+// The points within half the thickness of the arc of radius r from angle start anticlockwise over sweep.
+// Mirrored at its bisector the arc has one end.
+fn sd_arc(p: vec2<f32>, r: f32, thickness: f32, start: f32, sweep: f32) -> f32 {
+    let q = turned_back(p, start + 0.5 * sweep);
+    let folded = vec2(q.x, abs(q.y));
+    let half_sweep = clamp(0.5 * sweep, 0.0, PI);
+    let ray = vec2(cos(half_sweep), sin(half_sweep));
+    let beside = folded.x * ray.y - folded.y * ray.x >= 0.0;
+    return select(length(folded - r * ray), abs(length(p) - r), beside) - 0.5 * thickness;
+}
+
+// The part of the disc of radius r from angle start anticlockwise over sweep, less than a full turn.
+fn sd_pie(p: vec2<f32>, r: f32, start: f32, sweep: f32) -> f32 {
+    let q = turned_back(p, start + 0.5 * sweep);
+    let folded = vec2(q.x, abs(q.y));
+    let half_sweep = clamp(0.5 * sweep, 0.0, 3.14159);
+    let ray = vec2(cos(half_sweep), sin(half_sweep));
+    let depth = length(p) - r;
+    let to_side = length(folded - ray * clamp(dot(folded, ray), 0.0, r));
+    let beside = folded.x * ray.y - folded.y * ray.x > 0.0;
+    let inside = beside & (depth < 0.0);
+    return select(1.0, -1.0, inside) * select(to_side, min(to_side, abs(depth)), beside);
+}
+
+// The convex hull of the disc of radius r_bottom at the origin and that of radius r_top at y = h: the middle
+// section of a round cone.
+fn sd_egg(p: vec2<f32>, r_bottom: f32, r_top: f32, h: f32) -> f32 {
+    return sd_round_cone(vec3(p.x, 0.0, p.y), r_bottom, r_top, h);
+}
+
+// What two discs of radius r have in common whose centres are `apart` from each other along x. Mirrored into
+// one quarter the outline is an arc around the far centre, which ends in the tip on the y axis.
+fn sd_vesica(p: vec2<f32>, r: f32, apart: f32) -> f32 {
+    let shift = min(0.5 * apart, r);
+    let tip = sqrt(max(r * r - shift * shift, 0.0));
+    let q = vec2(abs(p.x) + shift, abs(p.y));
+    let beyond_tip = q.y * shift > q.x * tip;
+    return select(length(q) - r, length(vec2(q.x - shift, q.y - tip)), beyond_tip);
+}

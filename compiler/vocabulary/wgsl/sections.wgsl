@@ -24,8 +24,8 @@ fn section_extrude(p: vec3<f32>, height: f32, twist: f32, scale_top: vec2<f32>) 
     return turned_back(p.xy, twist * t) / max(mix(vec2(1.0), scale_top, t), vec2(1e-4));
 }
 
-// The distance at p from the distance in the section above, where lengths are those of p divided by the level's
-// scale: times the lesser of its two scales.
+// The distance at p from the distance in the section above, where lengths are those of p divided by the
+// level's scale: times the lesser of its two scales.
 fn op_taper(d: f32, z: f32, height: f32, scale_top: vec2<f32>) -> f32 {
     let scale = mix(vec2(1.0), scale_top, clamp(z / height, 0.0, 1.0));
     return d * max(min(scale.x, scale.y), 1e-4);

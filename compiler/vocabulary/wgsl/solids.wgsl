@@ -69,13 +69,14 @@ fn sd_round_cone(p: vec3<f32>, r_bottom: f32, r_top: f32, h: f32) -> f32 {
 
 // The ellipsoid with these radii along x, y and z.
 //
-// The nearest surface point of p is x_i = r_i² p_i / (r_i² + t), where t solves |s(t)| = 1 with
-// s_i = r_i p_i / (r_i² + t). 1/|s| is concave and increasing in t, so a step of Newton's method never ends beyond the
-// solution, and from there the next ones rise to it fast (Moré and Hebden's iteration for trust regions). It starts
-// from the greater of two lower bounds: where the largest s_i is 1, and a step from t = 0, which is the surface itself.
-// The unknown is u = t + r_min², which loses no digits near the singularity. Outside, what is left of the error makes
-// the distance too short, so it is harmless. Deep inside, near the medial sheet, convergence is slow: there the value
-// stops at half the least radius of curvature, unless r_min (1 - |p/r|), a bound of slope 1 or less, is deeper.
+// The nearest surface point of p is x_i = r_i² p_i / (r_i² + t), where t solves |s(t)| = 1 with s_i = r_i p_i
+// / (r_i² + t). 1/|s| is concave and increasing in t, so a step of Newton's method never ends beyond the
+// solution, and from there the next ones rise to it fast (Moré and Hebden's iteration for trust regions). It
+// starts from the greater of two lower bounds: where the largest s_i is 1, and a step from t = 0, which is
+// the surface itself. The unknown is u = t + r_min², which loses no digits near the singularity. Outside,
+// what is left of the error makes the distance too short, so it is harmless. Deep inside, near the medial
+// sheet, convergence is slow: there the value stops at half the least radius of curvature, unless r_min (1 -
+// |p/r|), a bound of slope 1 or less, is deeper.
 fn sd_ellipsoid(p: vec3<f32>, radii: vec3<f32>) -> f32 {
     let r_min = min(radii.x, min(radii.y, radii.z));
     let r_max = max(radii.x, max(radii.y, radii.z));
@@ -179,4 +180,82 @@ fn sd_gyroid(p: vec3<f32>, period: f32, thickness: f32) -> f32 {
     let q = p * wave_number;
     let wave = dot(sin(q), cos(q.yzx));
     return abs(wave) / (wave_number * sqrt(3.0)) - 0.5 * thickness;
+}
+
+// What lies above the plane z = cut of the ball of radius r around the origin. In the half plane of radius
+// and height the outline is an arc from the pole to the rim and a segment from the rim inwards.
+fn sd_dome(p: vec3<f32>, r: f32, cut: f32) -> f32 {
+    let q = vec2(length(p.xy), p.z);
+    let level = clamp(cut, -r, r);
+    let rim = vec2(sqrt(max(r * r - level * level, 0.0)), level);
+    let depth = length(q) - r;
+    let to_arc = select(length(q - rim), abs(depth), q.y * rim.x >= q.x * rim.y);
+    let to_flat = length(vec2(max(q.x - rim.x, 0.0), q.y - level));
+    let inside = (depth < 0.0) & (q.y > level);
+    return select(1.0, -1.0, inside) * min(to_arc, to_flat);
+}
+
+// Regular polyhedra with their corners at distance r from the origin. Mirrors of their symmetry fold space
+// into a wedge that holds a part of one face: from the face's middle towards an edge (across) and from the
+// middle of that edge towards a corner (along).
+
+// The signed distance in the wedge: height above the face, and how far beyond its edge and beyond the corner.
+fn face_distance(height: f32, across: f32, along: f32) -> f32 {
+    return select(-1.0, 1.0, height > 0.0) * length(vec3(height, max(across, 0.0), max(along, 0.0)));
+}
+
+// The tetrahedron with a corner in the direction (1, 1, 1) and edges across the axes. Its mirrors swap two
+// coordinates, with or without a change of both signs; they fold space to z >= y >= |x|.
+fn sd_tetrahedron(p: vec3<f32>, r: f32) -> f32 {
+    let least = min(p.x, min(p.y, p.z));
+    let middle = max(min(p.x, p.y), min(max(p.x, p.y), p.z));
+    let greatest = max(p.x, max(p.y, p.z));
+    let flip = max(-least - middle, 0.0);
+    let low = least + flip;
+    let high = middle + flip;
+    let q = vec3(min(low, greatest), max(low, min(high, greatest)), max(high, greatest));
+    let height = (q.y + q.z - q.x) / sqrt(3.0) - r / 3.0;
+    let across = (q.x - q.y + 2.0 * q.z) / sqrt(6.0) - r * sqrt(2.0) / 3.0;
+    let along = (q.x + q.y) / sqrt(2.0) - r * sqrt(2.0 / 3.0);
+    return face_distance(height, across, along);
+}
+
+// The golden ratio g, and the mirror of the icosahedron that is not along an axis: (-1, -g, g - 1) / 2.
+const GOLDEN: f32 = 1.61803398874989;
+const OBLIQUE: vec3<f32> = vec3<f32>(-0.5, -0.809016994374947, 0.309016994374947);
+
+// Space folded by the mirrors of the icosahedron into x >= 0, y >= 0 and dot(p, OBLIQUE) >= 0. The wedge's
+// edges run from the origin through the middle of a dodecahedron's edge (0, 0, 1), face (1, 0, g) and corner
+// (0, 1/g, g).
+fn icosahedral_fold(p: vec3<f32>) -> vec3<f32> {
+    let once = icosahedral_mirror(p);
+    let twice = icosahedral_mirror(once);
+    let thrice = icosahedral_mirror(twice);
+    return icosahedral_mirror(thrice);
+}
+
+// One round of mirrors.
+fn icosahedral_mirror(p: vec3<f32>) -> vec3<f32> {
+    let q = abs(p);
+    return q - OBLIQUE * (2.0 * min(dot(q, OBLIQUE), 0.0));
+}
+
+// The dodecahedron with edges across the axes.
+fn sd_dodecahedron(p: vec3<f32>, r: f32) -> f32 {
+    let q = icosahedral_fold(p);
+    let edge = r * GOLDEN / sqrt(3.0);
+    let normal = normalize(vec2(1.0, GOLDEN));
+    let height = dot(q.xz, normal) - edge * normal.y;
+    let across = dot(q.xz, vec2(-normal.y, normal.x)) - edge * normal.x;
+    return face_distance(height, across, q.y - edge / (GOLDEN * GOLDEN));
+}
+
+// The icosahedron with edges across the axes.
+fn sd_icosahedron(p: vec3<f32>, r: f32) -> f32 {
+    let q = icosahedral_fold(p);
+    let edge = r * normalize(vec2(1.0, GOLDEN)).y;
+    let normal = normalize(vec2(1.0, GOLDEN * GOLDEN));
+    let height = dot(q.yz, normal) - edge * normal.y;
+    let across = dot(q.yz, vec2(-normal.y, normal.x)) - edge * normal.x;
+    return face_distance(height, across, q.x - edge / GOLDEN);
 }

@@ -138,6 +138,10 @@ impl<'m> Builder<'m> {
     fn constant(&mut self, init: Handle<Expression>) -> Result<Value, Refused> {
         match &self.module.global_expressions[init] {
             Expression::Literal(literal) => Ok(vec![self.push(Operation::Constant(number(*literal)?))]),
+            Expression::Compose { components, .. } => {
+                let parts = components.iter().map(|component| self.constant(*component));
+                Ok(parts.collect::<Result<Vec<_>, _>>()?.concat())
+            }
             other => Err(format!("the constant {other:?}")),
         }
     }

@@ -131,8 +131,8 @@ pub static OUTLINE_ARC: Row = helper(
         vec2(number("p", None, "the point")),
         vec2(number("a", None, "where the arc starts")),
         vec2(number("b", None, "where it ends")),
-        vec2(number("center", None, "its centre")),
-        angle("sweep", "how far it goes, anticlockwise if positive"),
+        vec2(number("pivot", None, "its centre")),
+        angle("sweep", None, "how far it goes, anticlockwise if positive"),
     ],
     "Adds an arc to an outline.",
 );

@@ -1,5 +1,7 @@
 //! Plane shapes. Their boxes are all of z.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::{angle, anywhere, around_zero, number, size, vec2};
 use crate::bounds::Bounds;
 use crate::interval::Interval;
@@ -96,12 +98,86 @@ pub static STAR: Row = Row {
     example: "linear_extrude(5) star(outer = 20, inner = 9, n = 5);",
 };
 
+/// A thick arc.
+pub static ARC: Row = Row {
+    name: "arc",
+    function: "sd_arc",
+    kind: Kind::Plane,
+    parameters: &[
+        size("r", 10.0, "radius of its middle line"),
+        size("thickness", 1.0, "thickness"),
+        angle("start", Some(0.0), "where it starts"),
+        angle("sweep", Some(FRAC_PI_2), "how far it goes, anticlockwise"),
+    ],
+    class: Class::ExactOutside,
+    module: true,
+    round: false,
+    bounds: |a| flat(a[0].max + 0.5 * a[1].max, a[0].max + 0.5 * a[1].max),
+    manual: "The arc around the origin with round ends.",
+    example: "linear_extrude(5) arc(r = 20, thickness = 4, start = 30, sweep = 240);",
+};
+
+/// A sector of a disc.
+pub static PIE: Row = Row {
+    name: "pie",
+    function: "sd_pie",
+    kind: Kind::Plane,
+    parameters: &[
+        size("r", 10.0, "radius"),
+        angle("start", Some(0.0), "where it starts"),
+        angle("sweep", Some(FRAC_PI_2), "how far it goes, anticlockwise; less than a full turn"),
+    ],
+    class: Class::Exact,
+    module: true,
+    round: false,
+    bounds: |a| flat(a[0].max, a[0].max),
+    manual: "The sector of a disc around the origin.",
+    example: "linear_extrude(5) pie(r = 20, start = 30, sweep = 300);",
+};
+
+/// An egg.
+pub static EGG: Row = Row {
+    name: "egg",
+    function: "sd_egg",
+    kind: Kind::Plane,
+    parameters: &[
+        size("r_bottom", 8.0, "radius of the disc at the origin"),
+        size("r_top", 4.0, "radius of the upper disc"),
+        size("h", 10.0, "how far up y the upper disc's centre is"),
+    ],
+    class: Class::Exact,
+    module: true,
+    round: false,
+    bounds: |a| {
+        let reach = a[0].max.max(a[1].max);
+        let top = a[0].max.max(a[1].max + a[2].max);
+        let bottom = (-a[0].max).min(a[2].min - a[1].max);
+        Bounds::new(around_zero(Interval::point(reach)), Interval { min: bottom, max: top }, Interval::ALL)
+    },
+    manual: "The convex hull of two discs, one at the origin and one above it.",
+    example: "rotate_extrude() egg(r_bottom = 10, r_top = 5, h = 10);",
+};
+
+/// A pointed oval.
+pub static VESICA: Row = Row {
+    name: "vesica",
+    function: "sd_vesica",
+    kind: Kind::Plane,
+    parameters: &[size("r", 10.0, "radius of the discs"), size("apart", 10.0, "distance of their centres, along x")],
+    class: Class::Exact,
+    module: true,
+    round: false,
+    bounds: |a| flat(a[0].max, a[0].max),
+    manual: "The pointed oval that two discs have in common.",
+    example: "linear_extrude(5) vesica(r = 20, apart = 20);",
+};
+
 /// A sector of the plane.
 pub static WEDGE: Row = Row {
     name: "wedge",
     function: "sd_wedge",
     kind: Kind::Plane,
-    parameters: &[angle("start", "where it starts"), angle("sweep", "how far it goes, anticlockwise")],
+    parameters: &[angle("start", None, "where it starts"), angle("sweep", None, "how far it goes, anticlockwise")],
     class: Class::Exact,
     module: false,
     round: false,

@@ -9,7 +9,7 @@ pub static TWIST: Row = Row {
     name: "twist",
     function: "warp_twist",
     kind: Kind::Warp,
-    parameters: &[angle("rate", "how far it turns for each millimetre of height, anticlockwise seen from above")],
+    parameters: &[angle("rate", None, "how far it turns for each millimetre of height, anticlockwise seen from above")],
     class: Class::Bound,
     module: false,
     round: false,
@@ -67,7 +67,7 @@ pub static EXTRUDE: Row = Row {
     kind: Kind::Section,
     parameters: &[
         size("height", 1.0, "the height at which twist and scale are reached"),
-        angle("twist", "how far the top is turned against the bottom, anticlockwise seen from above"),
+        angle("twist", None, "how far the top is turned against the bottom, anticlockwise seen from above"),
         vec2(number("scale_top", Some(1.0), "how the top is scaled against the bottom, in x and y; not negative")),
     ],
     class: Class::Bound,

@@ -185,6 +185,65 @@ pub static OCTAHEDRON: Row = Row {
     example: "octahedron(r = 10);",
 };
 
+/// A dome.
+pub static DOME: Row = Row {
+    name: "dome",
+    function: "sd_dome",
+    kind: Kind::Solid,
+    parameters: &[size("r", 10.0, "radius of the ball"), length("cut", 0.0, "height at which it is cut, from -r to r")],
+    class: Class::Exact,
+    module: true,
+    round: false,
+    bounds: |a| {
+        let cut = a[1].min.max(-a[0].max);
+        upright(a[0], Interval { min: cut.min(a[0].max), max: a[0].max })
+    },
+    manual: "The part of a ball above a plane.",
+    example: "dome(r = 15, cut = 5);",
+};
+
+/// A tetrahedron.
+pub static TETRAHEDRON: Row = Row {
+    name: "tetrahedron",
+    function: "sd_tetrahedron",
+    kind: Kind::Solid,
+    parameters: &[size("r", 10.0, "distance of its corners from the origin")],
+    class: Class::Exact,
+    module: true,
+    round: false,
+    bounds: |a| Bounds::centred([a[0].max; 3]),
+    manual: "The regular tetrahedron, a corner in the direction [1, 1, 1].",
+    example: "tetrahedron(r = 10);",
+};
+
+/// A dodecahedron.
+pub static DODECAHEDRON: Row = Row {
+    name: "dodecahedron",
+    function: "sd_dodecahedron",
+    kind: Kind::Solid,
+    parameters: &[size("r", 10.0, "distance of its corners from the origin")],
+    class: Class::Exact,
+    module: true,
+    round: false,
+    bounds: |a| Bounds::centred([a[0].max; 3]),
+    manual: "The regular dodecahedron, its edges across the axes.",
+    example: "dodecahedron(r = 10);",
+};
+
+/// A icosahedron.
+pub static ICOSAHEDRON: Row = Row {
+    name: "icosahedron",
+    function: "sd_icosahedron",
+    kind: Kind::Solid,
+    parameters: &[size("r", 10.0, "distance of its corners from the origin")],
+    class: Class::Exact,
+    module: true,
+    round: false,
+    bounds: |a| Bounds::centred([a[0].max; 3]),
+    manual: "The regular icosahedron, its edges across the axes.",
+    example: "icosahedron(r = 10);",
+};
+
 /// A link of a chain.
 pub static LINK: Row = Row {
     name: "link",
