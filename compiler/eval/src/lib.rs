@@ -1,12 +1,29 @@
 //! Evaluates a syntax tree to a solid tree: values, scopes, built-ins, live numbers.
 //!
-//! The evaluator is a partial evaluator: Customizer parameters and `$t` stay symbolic ([`Value::Number`] holds a
-//! [`Scalar`](chiaro_solid::Scalar)), everything else folds to constants. It knows nothing of fields.
+//! [`evaluate`] runs a scene's program. It is a partial evaluator: Customizer parameters and `$t` stay symbolic, as
+//! [`Scalar`](chiaro_solid::Scalar)s, and everything else folds to constants. Where a live number decides the structure
+//! of the scene, it becomes a constant and the evaluation starts again. The crate knows nothing of fields.
 
-mod geometry;
-mod settings;
+// The way of a scene: files are read, blocks sorted out, expressions and instances evaluated, solids built.
+mod load;
+mod plan;
+mod scene;
+
+mod call;
+mod evaluator;
+mod expression;
+mod functions;
+mod instance;
+mod list;
+mod live;
+mod scope;
+mod suggest;
 mod value;
 
+mod geometry;
+mod options;
+mod settings;
+
 pub use geometry::Facets;
-pub use settings::Settings;
-pub use value::Value;
+pub use options::{Limits, Options, STACK_BYTES, World};
+pub use scene::{Evaluation, evaluate};

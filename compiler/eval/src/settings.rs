@@ -4,7 +4,7 @@ use crate::geometry::Facets;
 
 /// How scenes are evaluated.
 #[derive(Clone, Debug, Default)]
-pub struct Settings {
+pub(crate) struct Settings {
     /// What an explicit `$fn` does to curves.
-    pub facets: Facets,
+    pub(crate) facets: Facets,
 }

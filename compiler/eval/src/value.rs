@@ -1,12 +1,22 @@
 //! Values of the language.
 
+mod compare;
+pub(crate) mod operators;
+mod print;
+pub(crate) mod text;
+
+use std::ops::Deref;
+use std::rc::Rc;
 use std::sync::Arc;
 
 use chiaro_solid::Scalar;
+use chiaro_syntax::tree::FunctionLiteral;
+
+use crate::scope::Scope;
 
 /// A value. Cloning one is cheap.
 #[derive(Clone, Debug)]
-pub enum Value {
+pub(crate) enum Value {
     /// `undef`
     Undef,
     /// A truth value. One that depends on live numbers is [`Value::Condition`].
@@ -17,21 +27,177 @@ pub enum Value {
     Condition(Scalar),
     /// A text.
     String(Arc<str>),
-    /// A list.
-    List(Arc<[Value]>),
+    /// A list. It is read as a slice, and made from a `Vec` by `into()`.
+    List(List),
     /// A range; its numbers are constant.
     Range(Range),
     /// A function literal with what it closes over.
-    Function(Arc<dyn std::any::Any + Send + Sync>),
+    Function(Rc<Closure>),
+}
+
+/// A list of values.
+#[derive(Clone, Debug)]
+pub(crate) struct List(Rc<Items>);
+
+#[derive(Debug)]
+struct Items {
+    values: Vec<Value>,
+    depth: u32,
+    weight: u64,
+}
+
+/// A function literal with the scope it was evaluated in.
+#[derive(Debug)]
+pub(crate) struct Closure {
+    /// What was written.
+    pub(crate) function: Arc<FunctionLiteral>,
+    /// Where its body's names are looked up.
+    pub(crate) scope: Rc<Scope>,
 }
 
 /// `[start : step : end]`
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Range {
+pub(crate) struct Range {
     /// The first number.
-    pub start: f64,
+    pub(crate) start: f64,
     /// The distance of neighbours.
-    pub step: f64,
+    pub(crate) step: f64,
     /// The number not to be passed.
-    pub end: f64,
+    pub(crate) end: f64,
+}
+
+/// Why an operation on values has no value.
+pub(crate) enum Trouble {
+    /// It is not defined for them, and why.
+    Undefined(String),
+    /// It would have to know a live number, and what for.
+    Demote(Scalar, &'static str),
+}
+
+impl Value {
+    /// The constant number.
+    pub(crate) fn number(value: f64) -> Value {
+        Value::Number(Scalar::Constant(value))
+    }
+
+    /// The text.
+    pub(crate) fn string(text: impl Into<Arc<str>>) -> Value {
+        Value::String(text.into())
+    }
+
+    /// The list of these values.
+    pub(crate) fn list(values: Vec<Value>) -> Value {
+        Value::List(values.into())
+    }
+
+    /// What messages call it: its type with an article.
+    pub(crate) fn described(&self) -> &'static str {
+        match self {
+            Value::Undef => "undef",
+            Value::Bool(_) | Value::Condition(_) => "a truth value",
+            Value::Number(_) => "a number",
+            Value::String(_) => "a string",
+            Value::List(_) => "a list",
+            Value::Range(_) => "a range",
+            Value::Function(_) => "a function",
+        }
+    }
+
+    /// Whether it counts as true: a [`Value::Bool`], or a [`Value::Condition`] if that depends on live numbers.
+    pub(crate) fn truth(&self) -> Value {
+        match self {
+            Value::Undef => Value::Bool(false),
+            Value::Bool(_) | Value::Condition(_) => self.clone(),
+            Value::Number(Scalar::Constant(number)) => Value::Bool(*number != 0.0),
+            Value::Number(live) => operators::condition(live.clone()),
+            Value::String(text) => Value::Bool(!text.is_empty()),
+            Value::List(list) => Value::Bool(!list.is_empty()),
+            Value::Range(_) | Value::Function(_) => Value::Bool(true),
+        }
+    }
+
+    /// Whether it is `true` itself.
+    pub(crate) fn is_true(&self) -> bool {
+        matches!(self, Value::Bool(true))
+    }
+
+    /// The constant number it is, if it is one.
+    pub(crate) fn constant(&self) -> Option<f64> {
+        match self {
+            Value::Number(number) => number.constant(),
+            _ => None,
+        }
+    }
+
+    /// How many levels of lists it has.
+    fn depth(&self) -> u32 {
+        match self {
+            Value::List(list) => list.depth(),
+            _ => 0,
+        }
+    }
+
+    /// How many values it holds on all levels, itself included; shared ones count each time.
+    pub(crate) fn weight(&self) -> u64 {
+        match self {
+            Value::List(list) => list.weight(),
+            Value::String(text) => 1 + text.len() as u64 / 16,
+            _ => 1,
+        }
+    }
+}
+
+impl List {
+    /// How many levels of lists there are, itself included. It is limited, so that lists can be walked by recursion.
+    pub(crate) fn depth(&self) -> u32 {
+        self.0.depth
+    }
+
+    /// How many values there are on all levels; shared ones count each time, since they are visited each time.
+    pub(crate) fn weight(&self) -> u64 {
+        self.0.weight
+    }
+}
+
+impl From<Vec<Value>> for List {
+    fn from(values: Vec<Value>) -> Self {
+        let depth = 1 + values.iter().map(Value::depth).max().unwrap_or(0);
+        let weight = values.iter().fold(1u64, |sum, value| sum.saturating_add(value.weight()));
+        Self(Rc::new(Items { values, depth, weight }))
+    }
+}
+
+impl Deref for List {
+    type Target = [Value];
+
+    fn deref(&self) -> &[Value] {
+        &self.0.values
+    }
+}
+
+impl Range {
+    /// How many numbers it has. A step of zero or away from the end gives none; infinitely many count as `u32::MAX`.
+    pub(crate) fn len(&self) -> u32 {
+        let Range { start, step, end } = *self;
+        if start.is_nan() || step.is_nan() || end.is_nan() {
+            return 0;
+        }
+        if start == end {
+            return if step.is_finite() { 1 } else { 0 };
+        }
+        if (step < 0.0 && start < end) || (step > 0.0 && start > end) {
+            return 0;
+        }
+        if step == 0.0 || start.is_infinite() || end.is_infinite() {
+            return u32::MAX;
+        }
+        // One unit in the last place more, so that [0 : 0.1 : 1] does not lose its end to rounding.
+        let count = ((end - start) / step).next_up().floor();
+        if count < f64::from(u32::MAX - 1) { count as u32 + 1 } else { u32::MAX }
+    }
+
+    /// The numbers in order.
+    pub(crate) fn iter(self) -> impl Iterator<Item = f64> {
+        (0..self.len()).map(move |i| if i == 0 { self.start } else { self.start + f64::from(i) * self.step })
+    }
 }

@@ -1,0 +1,378 @@
+//! Instances of modules: control flow, the scene's own modules, and their children.
+
+use std::rc::Rc;
+use std::sync::Arc;
+
+use chiaro_solid::{Solid, SolidKind};
+use chiaro_syntax::tree::{Instance, ModuleDefinition, Name, Statement};
+use chiaro_syntax::{Diagnostic, Span};
+
+use crate::evaluator::{Call, Children, Evaluator, Halt, Result, Unit};
+use crate::geometry::{self, FacetVariables};
+use crate::plan::Plan;
+use crate::scope::{Scope, Specials};
+use crate::suggest;
+use crate::value::Value;
+
+/// The modules that are part of the language rather than geometry.
+const CONTROL: [&str; 9] = ["for", "intersection_for", "if", "let", "assign", "echo", "assert", "children", "child"];
+
+/// A solid and its depth.
+#[derive(Clone)]
+pub(crate) struct Built {
+    pub(crate) solid: Arc<Solid>,
+    pub(crate) depth: u32,
+}
+
+/// A module of the scene's.
+struct UserModule<'t> {
+    definition: &'t ModuleDefinition,
+    /// The scope it is defined in.
+    scope: Rc<Scope>,
+    /// The file it comes from, if that is used.
+    unit: Option<Unit>,
+}
+
+impl<'t> Evaluator<'t> {
+    /// What the statements of a block come to, evaluated in a scope of their own.
+    pub(crate) fn block(
+        &mut self,
+        statements: &'t [Statement],
+        around: &Rc<Scope>,
+        selected: Option<&[usize]>,
+    ) -> Result<Vec<Built>> {
+        let id = self.plan_id(statements);
+        let plan = self.plan(id);
+        let has_names = !(plan.assignments.is_empty() && plan.functions.is_empty() && plan.modules.is_empty());
+        let scope = if has_names { Rc::new(Scope::within(around).of_block(id)) } else { around.clone() };
+        self.assignments(&plan, &scope)?;
+        self.instances(&plan, &scope, selected)
+    }
+
+    /// Evaluates a block's assignments.
+    pub(crate) fn assignments(&mut self, plan: &Plan<'t>, scope: &Rc<Scope>) -> Result<()> {
+        for assignment in &plan.assignments {
+            let slot = match self.expression(assignment.value(), scope) {
+                Ok(value) => Some(value),
+                Err(Halt::Reported) => None,
+                Err(halt) => return Err(halt),
+            };
+            let name = assignment.first.name.node.clone();
+            if Specials::is_special(&name) {
+                self.specials.set(name, slot);
+            } else {
+                scope.set(name, slot);
+            }
+        }
+        Ok(())
+    }
+
+    /// Evaluates a block's instances, or those of them with these numbers.
+    pub(crate) fn instances(
+        &mut self,
+        plan: &Plan<'t>,
+        scope: &Rc<Scope>,
+        selected: Option<&[usize]>,
+    ) -> Result<Vec<Built>> {
+        let mut built = Vec::new();
+        let all: Vec<&'t Instance> = match selected {
+            Some(numbers) => numbers.iter().filter_map(|number| plan.instances.get(*number).copied()).collect(),
+            None => plan.instances.clone(),
+        };
+        for instance in all {
+            match self.instance(instance, scope) {
+                Ok(result) => built.extend(result),
+                Err(Halt::Reported) => {}
+                Err(halt) => return Err(halt),
+            }
+        }
+        Ok(built)
+    }
+
+    fn instance(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Built>> {
+        self.enter(instance.head)?;
+        let order = self.instances;
+        self.instances += 1;
+        let (mark, calls) = (self.specials.mark(), self.calls.len());
+        let result = self.dispatched(instance, scope);
+        self.specials.restore(mark);
+        self.calls.truncate(calls);
+        self.leave();
+        let Some(built) = result? else { return Ok(None) };
+        self.count_solid(instance.head)?;
+        if built.depth > self.options.limits.solid_depth {
+            let message = format!("the solids here are nested more than {} deep", self.options.limits.solid_depth);
+            return Err(self.abort(Diagnostic::error(instance.head, message)));
+        }
+        if instance.modifiers.root && self.root.as_ref().is_none_or(|(first, _)| order < *first) {
+            self.root = Some((order, built.solid.clone()));
+        }
+        Ok(if instance.modifiers.background { None } else { Some(built) })
+    }
+
+    fn dispatched(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Built>> {
+        let name = &instance.name.node;
+        if let Some(module) = self.user_module(name, scope)? {
+            return self.user_instance(module, instance, scope).map(Some);
+        }
+        match &**name {
+            "for" => {
+                let children = self.looped(instance, scope)?;
+                Ok(Some(self.union(children, instance.head)))
+            }
+            "intersection_for" => {
+                let children = self.looped(instance, scope)?;
+                self.built_in_module(instance, "intersection", Vec::new(), children).map(Some)
+            }
+            "if" => self.conditional(instance, scope),
+            "let" => {
+                let scope = self.bound_in_turn(&instance.arguments, scope)?;
+                let children = self.block(&instance.children, &scope, None)?;
+                Ok(Some(self.union(children, instance.head)))
+            }
+            "assign" => self.assign(instance, scope).map(Some),
+            "echo" => {
+                self.echo_arguments(&instance.arguments, instance.head, scope)?;
+                self.grouped(instance, scope)
+            }
+            "assert" => {
+                self.assert(&instance.arguments, instance.head, scope)?;
+                self.grouped(instance, scope)
+            }
+            "children" | "child" => self.given_children(instance, scope),
+            _ => self.geometry(instance, scope).map(Some),
+        }
+    }
+
+    /// The children as one, if there are any.
+    fn grouped(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Built>> {
+        let children = self.block(&instance.children, scope, None)?;
+        Ok(if children.is_empty() { None } else { Some(self.union(children, instance.head)) })
+    }
+
+    fn looped(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Vec<Built>> {
+        let mut all = Vec::new();
+        if !instance.arguments.is_empty() {
+            self.for_each(&instance.arguments, scope, instance.head, &mut |evaluator, scope| {
+                all.extend(evaluator.block(&instance.children, scope, None)?);
+                Ok(())
+            })?;
+        }
+        Ok(all)
+    }
+
+    fn conditional(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Built>> {
+        let Some(condition) = instance.arguments.first() else { return Ok(None) };
+        let truth = self.decided(&condition.value, scope, "whether something is there at all")?;
+        if !truth && instance.otherwise.is_empty() {
+            return Ok(None);
+        }
+        let branch = if truth { &instance.children } else { &instance.otherwise };
+        let children = self.block(branch, scope, None)?;
+        Ok(Some(self.union(children, instance.head)))
+    }
+
+    /// `assign(…)`: like `let`, but no value sees another.
+    fn assign(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Built> {
+        let inner = Scope::within(scope);
+        for argument in self.arguments(&instance.arguments, scope)? {
+            match argument.name {
+                Some(name) if Specials::is_special(&name) => self.specials.set(name, Some(argument.value)),
+                Some(name) => inner.set(name, Some(argument.value)),
+                None => self.warn(Diagnostic::warning(argument.span, "this value gets no name")),
+            }
+        }
+        let children = self.block(&instance.children, &Rc::new(inner), None)?;
+        Ok(self.union(children, instance.head))
+    }
+
+    /// The module of that name, if the scene defines one.
+    fn user_module(&mut self, name: &str, scope: &Rc<Scope>) -> Result<Option<UserModule<'t>>> {
+        let mut next = Some(scope);
+        while let Some(scope) = next {
+            if let Some(plan) = scope.plan.map(|id| self.plan(id)) {
+                if let Some(definition) = plan.modules.get(name) {
+                    return Ok(Some(UserModule { definition, scope: scope.clone(), unit: None }));
+                }
+                for file in &plan.uses {
+                    let used = self.used_plan(*file);
+                    if let Some(definition) = used.modules.get(name) {
+                        let unit = self.unit(*file)?;
+                        return Ok(Some(UserModule { definition, scope: unit.scope.clone(), unit: Some(unit) }));
+                    }
+                }
+            }
+            next = scope.parent.as_ref();
+        }
+        Ok(None)
+    }
+
+    fn user_instance(&mut self, module: UserModule<'t>, instance: &'t Instance, around: &Rc<Scope>) -> Result<Built> {
+        let UserModule { definition, scope: defining, unit } = module;
+        let name = &instance.name.node;
+        let arguments = self.arguments(&instance.arguments, around)?;
+        let count = self.plan_id(&instance.children);
+        let count = self.plan(count).instances.len();
+        self.set_specials(unit);
+        self.modules.push(name.clone());
+        self.specials.set("$children".into(), Some(Value::number(count as f64)));
+        self.specials.set("$parent_modules".into(), Some(Value::number(self.modules.len() as f64)));
+        self.children.push(Children { statements: &instance.children, scope: around.clone() });
+        self.calls.push(Call {
+            name: name.clone(),
+            site: instance.head,
+            definition: std::ptr::from_ref(definition).cast(),
+        });
+        let children = self.body(definition, arguments, &defining);
+        self.children.pop();
+        self.modules.pop();
+        let children = children?;
+        Ok(self.union(children, instance.head))
+    }
+
+    fn body(
+        &mut self,
+        definition: &'t ModuleDefinition,
+        arguments: Vec<geometry::Argument>,
+        defining: &Rc<Scope>,
+    ) -> Result<Vec<Built>> {
+        let parameters = self.bind(&definition.name.node, &definition.parameters, arguments, defining)?;
+        let id = self.plan_id(&definition.body);
+        let scope = Rc::new(parameters.of_block(id).with_children(self.children.len() - 1));
+        let plan = self.plan(id);
+        self.assignments(&plan, &scope)?;
+        self.instances(&plan, &scope, None)
+    }
+
+    /// `children(…)`: what stands in the braces behind the instance of the module that this is written in.
+    fn given_children(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Built>> {
+        let arguments = self.arguments(&instance.arguments, scope)?;
+        let Some(number) = scope.chain().find_map(|scope| scope.children) else {
+            let message = format!("`{}` has a meaning only inside a module", instance.name.node);
+            return Err(self.error(Diagnostic::error(instance.head, message)));
+        };
+        let Some(given) = self.children.get(number).cloned() else { return Ok(None) };
+        let plan = self.plan_id(given.statements);
+        let count = self.plan(plan).instances.len();
+        let selected = match arguments.first() {
+            Some(index) => match self.child_numbers(index, count)? {
+                Some(numbers) => Some(numbers),
+                None => return Ok(None),
+            },
+            // The old `child()` is the first one.
+            None if &*instance.name.node == "child" => Some(vec![0]),
+            None => None,
+        };
+        let children = self.block(given.statements, &given.scope, selected.as_deref())?;
+        Ok(Some(self.union(children, instance.head)))
+    }
+
+    /// Which children an index means: a number, a list or a range.
+    fn child_numbers(&mut self, index: &geometry::Argument, count: usize) -> Result<Option<Vec<usize>>> {
+        let numbers: Vec<Value> = match &index.value {
+            number @ Value::Number(_) => vec![number.clone()],
+            Value::List(list) => list.to_vec(),
+            Value::Range(range) => {
+                self.check_range(range, index.span)?;
+                range.iter().map(Value::number).collect()
+            }
+            other => {
+                let message =
+                    format!("`children` takes a number, a list or a range, but this is {}", other.described());
+                self.warn(Diagnostic::warning(index.span, message));
+                return Ok(None);
+            }
+        };
+        let is_single = matches!(index.value, Value::Number(_));
+        let mut known = Vec::new();
+        for number in numbers {
+            match self.constant(&number, index.span, "which child is meant")?.map(f64::trunc) {
+                Some(number) if (0.0..count as f64).contains(&number) => known.push(number as usize),
+                Some(number) => {
+                    let message = format!("there is no child {number}: the module was given {count} children");
+                    self.warn(Diagnostic::warning(index.span, message));
+                }
+                None => {
+                    let message = format!("a child's number is expected, not {}", number.described());
+                    self.warn(Diagnostic::warning(index.span, message));
+                }
+            }
+        }
+        Ok(if is_single && known.is_empty() { None } else { Some(known) })
+    }
+
+    /// An instance of a built-in module.
+    fn geometry(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Built> {
+        let mut arguments = self.arguments(&instance.arguments, scope)?;
+        for argument in &arguments {
+            if let Some(name) = argument.name.as_ref().filter(|name| Specials::is_special(name)) {
+                self.specials.set(name.clone(), Some(argument.value.clone()));
+            }
+        }
+        arguments.retain(|argument| argument.name.as_ref().is_none_or(|name| !Specials::is_special(name)));
+        let children = self.block(&instance.children, scope, None)?;
+        let name = &instance.name.node;
+        if !geometry::names().any(|known| *known == **name) {
+            return Err(self.unknown_module(name, instance.name.span, scope));
+        }
+        self.built_in_module(instance, name, arguments, children)
+    }
+
+    fn built_in_module(
+        &mut self,
+        instance: &Instance,
+        name: &str,
+        arguments: Vec<geometry::Argument>,
+        children: Vec<Built>,
+    ) -> Result<Built> {
+        let facets = self.facets()?;
+        let depth = 1 + children.iter().map(|child| child.depth).max().unwrap_or(0);
+        let children = children.into_iter().map(|child| child.solid).collect();
+        let call = geometry::Call { name, head: instance.head, arguments, facets, children };
+        let mut reports = Vec::new();
+        let solid = geometry::build(call, &self.settings, &mut reports);
+        reports.into_iter().for_each(|report| self.warn(report));
+        match solid {
+            Some(Ok(solid)) => Ok(Built { solid, depth }),
+            Some(Err(stop)) => Err(self.stopped(stop)),
+            None => Err(self.error(Diagnostic::error(instance.name.span, format!("there is no module `{name}`")))),
+        }
+    }
+
+    fn facets(&self) -> Result<FacetVariables> {
+        let get = |name: &str| match self.specials.get(name) {
+            Some(Some(value)) => Ok(value.clone()),
+            Some(None) => Err(Halt::Reported),
+            None => Ok(Value::Undef),
+        };
+        Ok(FacetVariables { number: get("$fn")?, angle: get("$fa")?, size: get("$fs")? })
+    }
+
+    fn unknown_module(&mut self, name: &Name, span: Span, scope: &Rc<Scope>) -> Halt {
+        let mut known: Vec<Name> = geometry::names().chain(CONTROL).map(Name::from).collect();
+        for plan in scope.chain().filter_map(|scope| scope.plan).map(|id| self.plan(id)).collect::<Vec<_>>() {
+            known.extend(plan.modules.keys().map(|name| Name::from(*name)));
+            for file in &plan.uses {
+                known.extend(self.used_plan(*file).modules.keys().map(|name| Name::from(*name)));
+            }
+        }
+        let mut error = Diagnostic::error(span, format!("there is no module `{name}`"));
+        error.hints.extend(suggest::hint(name, known.iter().map(|name| &**name)));
+        self.error(error)
+    }
+
+    /// Several solids as one.
+    pub(crate) fn union(&mut self, children: Vec<Built>, span: Span) -> Built {
+        let depth = children.iter().map(|child| child.depth).max().unwrap_or(0);
+        let solids: Vec<Arc<Solid>> = children.into_iter().map(|child| child.solid).collect();
+        if solids.is_empty() {
+            return Built { solid: Solid::new(SolidKind::Empty, span), depth: 1 };
+        }
+        let mut reports = Vec::new();
+        let single = (solids.len() == 1).then(|| solids[0].clone());
+        let solid = geometry::union_of(solids, span, &mut reports);
+        reports.into_iter().for_each(|report| self.warn(report));
+        let is_same = single.is_some_and(|single| Arc::ptr_eq(&single, &solid));
+        Built { solid, depth: if is_same { depth } else { depth + 1 } }
+    }
+}

@@ -1,0 +1,159 @@
+//! Live numbers: which parameters stay symbolic, and which ones had to become structural.
+
+use std::sync::Arc;
+
+use chiaro_solid::{LiveParameter, ParameterId, Scalar};
+use chiaro_syntax::tree::{Assignment, Customizer, Domain};
+use chiaro_syntax::{Diagnostic, Span};
+use chiaro_vocabulary::Interval;
+
+use crate::geometry::Demotion;
+use crate::value::Value;
+
+/// A parameter that may be live: a variable's name, and which component of it.
+type Key = (Arc<str>, Option<usize>);
+
+/// The live parameters of one evaluation.
+pub(crate) struct Live<'t> {
+    structural: &'t Structural,
+    /// The parameters, in the order of their ids.
+    pub(crate) parameters: Vec<LiveParameter>,
+    time: Option<Scalar>,
+    default_time: f64,
+}
+
+/// The parameters that are known to decide the structure of the scene, with the notes that say where.
+#[derive(Default)]
+pub(crate) struct Structural {
+    keys: Vec<Key>,
+    /// One for each of them.
+    pub(crate) notes: Vec<Diagnostic>,
+}
+
+impl Structural {
+    /// Makes the parameters in a number structural. Answers whether there was any.
+    pub(crate) fn demote(&mut self, demotion: &Demotion, parameters: &[LiveParameter]) -> bool {
+        let before = self.keys.len();
+        demotion.number.visit_parameters(&mut |ParameterId(id)| {
+            let Some(parameter) = parameters.get(id as usize) else { return };
+            let key = (parameter.name.clone(), parameter.component);
+            if !self.keys.contains(&key) {
+                self.notes.push(note(parameter, demotion));
+                self.keys.push(key);
+            }
+        });
+        self.keys.len() > before
+    }
+}
+
+fn note(parameter: &LiveParameter, demotion: &Demotion) -> Diagnostic {
+    let name = match parameter.component {
+        Some(component) => format!("{}[{component}]", parameter.name),
+        None => parameter.name.to_string(),
+    };
+    let message = format!("`{name}` decides the structure of the scene here, so that changing it recompiles");
+    let note = Diagnostic::note(demotion.span, message).with_label(demotion.reason);
+    match parameter.span {
+        Some(span) => note.with_related(span, "the parameter"),
+        None => note,
+    }
+}
+
+impl<'t> Live<'t> {
+    /// No parameters yet.
+    pub(crate) fn new(structural: &'t Structural) -> Self {
+        Self { structural, parameters: Vec::new(), time: None, default_time: 0.0 }
+    }
+
+    /// What a top-level variable stands for: its value, with numbers replaced by live parameters if its Customizer
+    /// comment gives them a range.
+    pub(crate) fn assigned(&mut self, assignment: &Assignment, value: Value) -> Value {
+        let Some(customizer) = assignment.customizer.as_deref() else { return value };
+        let Domain::Range { min, step, max } = customizer.domain else { return value };
+        if !(min.is_finite() && max.is_finite()) {
+            return value;
+        }
+        let range = Slider { assignment, customizer, range: Interval::new(min, max), step };
+        match &value {
+            Value::Number(number) => Value::Number(self.parameter(&range, number, None)),
+            Value::List(list) if list.iter().all(|value| matches!(value, Value::Number(_))) => {
+                let numbers = list.iter().enumerate().map(|(component, value)| match value {
+                    Value::Number(number) => Value::Number(self.parameter(&range, number, Some(component))),
+                    other => other.clone(),
+                });
+                Value::list(numbers.collect())
+            }
+            _ => value,
+        }
+    }
+
+    fn parameter(&mut self, slider: &Slider, number: &Scalar, component: Option<usize>) -> Scalar {
+        let name = &slider.assignment.name.node;
+        let default = match number.constant() {
+            Some(default) if default.is_finite() && !self.is_structural(name, component) => default,
+            _ => return number.clone(),
+        };
+        self.add(LiveParameter {
+            name: name.clone(),
+            default,
+            range: slider.range.hull(Interval::point(default)),
+            step: slider.step,
+            description: slider.customizer.description.clone(),
+            group: slider.customizer.group.clone(),
+            component,
+            span: Some(slider.assignment.span),
+        })
+    }
+
+    /// Sets what `$t` is until it is moved.
+    pub(crate) fn set_time(&mut self, time: f64) {
+        if time.is_finite() {
+            self.default_time = time;
+        }
+    }
+
+    /// `$t`: the time, from 0 to 1.
+    pub(crate) fn time(&mut self) -> Scalar {
+        if self.is_structural("$t", None) {
+            return Scalar::Constant(self.default_time);
+        }
+        if let Some(time) = &self.time {
+            return time.clone();
+        }
+        let time = self.add(LiveParameter {
+            name: "$t".into(),
+            default: self.default_time,
+            range: Interval::new(0.0, 1.0).hull(Interval::point(self.default_time)),
+            step: None,
+            description: None,
+            group: None,
+            component: None,
+            span: None,
+        });
+        self.time = Some(time.clone());
+        time
+    }
+
+    fn is_structural(&self, name: &str, component: Option<usize>) -> bool {
+        self.structural.keys.iter().any(|(other, at)| &**other == name && *at == component)
+    }
+
+    fn add(&mut self, parameter: LiveParameter) -> Scalar {
+        let scalar = Scalar::parameter(ParameterId(self.parameters.len() as u32), parameter.range);
+        self.parameters.push(parameter);
+        scalar
+    }
+
+    /// A demotion of that number.
+    pub(crate) fn demotion(number: Scalar, span: Span, reason: &'static str) -> Box<Demotion> {
+        Box::new(Demotion { number, span, reason })
+    }
+}
+
+/// What a Customizer comment says of an assignment.
+struct Slider<'a> {
+    assignment: &'a Assignment,
+    customizer: &'a Customizer,
+    range: Interval,
+    step: Option<f64>,
+}

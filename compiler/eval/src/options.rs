@@ -1,0 +1,70 @@
+//! What an evaluation depends on besides the text.
+
+use crate::Facets;
+
+/// The stack, in bytes, that the thread which calls [`evaluate`](crate::evaluate) needs, so that scenes may recurse
+/// as deeply as [`Limits`] allow.
+pub const STACK_BYTES: usize = 1 << 30;
+
+/// Where scenes come from: a file system, an editor's buffers, or a map in a test.
+pub trait World: Sync {
+    /// Finds the file that `path` names in a `use` or `include` statement of the file `from`: its full name, the
+    /// same for the same file whichever way it was named.
+    fn find(&self, from: &str, path: &str) -> Option<String>;
+
+    /// Reads the file of that full name, or says why it can't be read.
+    fn read(&self, name: &str) -> Result<Vec<u8>, String>;
+}
+
+/// The user's choices.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Values for variables of the scene's top level: name and expression.
+    pub definitions: Vec<(String, String)>,
+    /// What `$fn` does to curves.
+    pub facets: Facets,
+    /// What no scene may exceed.
+    pub limits: Limits,
+}
+
+/// Limits that keep any scene from exhausting time or memory.
+#[derive(Clone, Debug)]
+pub struct Limits {
+    /// Rounds of one loop, calls of a function by itself in tail position, and numbers of a range that is listed.
+    pub rounds: u32,
+    /// Work in total: expressions evaluated, list elements made or compared.
+    pub steps: u64,
+    /// Expressions, calls and instances nested at one time.
+    pub nesting: u32,
+    /// The depth of the solid tree, of which every walk by recursion can be sure.
+    pub solid_depth: u32,
+    /// Solids in total.
+    pub solids: u64,
+    /// Values in one list, those of its lists included.
+    pub list_values: u64,
+    /// Levels of lists in a list.
+    pub list_depth: u32,
+    /// Bytes of one text.
+    pub string_bytes: usize,
+    /// Files read, and statements in all of them where an included file counts each time.
+    pub statements: usize,
+    /// Lines of `echo` output.
+    pub echoes: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            rounds: 1_000_000,
+            steps: 50_000_000,
+            nesting: 60_000,
+            solid_depth: 1_000,
+            solids: 2_000_000,
+            list_values: 10_000_000,
+            list_depth: 20_000,
+            string_bytes: 10_000_000,
+            statements: 5_000_000,
+            echoes: 10_000,
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! The scene as a whole: its top level, the files it uses, its view.
+
+use std::rc::Rc;
+
+use chiaro_solid::{Camera, Scalar, Scene};
+use chiaro_syntax::tree::{Expression, Statement};
+use chiaro_syntax::{Diagnostic, FileId, Severity, SourceFile, Sources, Span, parse};
+
+use crate::evaluator::{Evaluator, Halt, Result, Unit};
+use crate::live::{Live, Structural};
+use crate::load::{FileIndex, load};
+use crate::options::{Options, World};
+use crate::plan::Plan;
+use crate::scope::{Scope, Specials};
+use crate::suggest;
+use crate::value::Value;
+
+/// What evaluating a scene came to.
+#[derive(Debug)]
+pub struct Evaluation {
+    /// The scene, if there is no error.
+    pub scene: Option<Scene>,
+    /// What there is to tell: the output of `echo` as notes in the order of execution, then everything else in the
+    /// order of the text.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// A variable set from outside.
+struct Definition {
+    name: String,
+    value: Expression,
+    span: Span,
+}
+
+/// Evaluates the file `main`, and whatever it includes and uses, to a scene.
+///
+/// The calling thread needs a stack of [`STACK_BYTES`](crate::STACK_BYTES). The scene's parameters are all those live
+/// numbers that the text declares and that did not become structural, used or not; `$t` is among them only if it is
+/// used.
+pub fn evaluate(world: &dyn World, sources: &mut Sources, main: FileId, options: &Options) -> Evaluation {
+    let mut diagnostics = Vec::new();
+    let library = load(world, sources, main, &options.limits, &mut diagnostics);
+    let definitions = definitions(sources, options, &mut diagnostics);
+    let mut structural = Structural::default();
+    // Each round makes at least one parameter structural, and the last ones all that are left.
+    loop {
+        let mut evaluator = Evaluator::new(&library, sources, options, Live::new(&structural));
+        let result = evaluator.scene(&definitions);
+        let parameters = std::mem::take(&mut evaluator.live.parameters);
+        let reports = std::mem::take(&mut evaluator.diagnostics);
+        let echoes = std::mem::take(&mut evaluator.echoes);
+        drop(evaluator);
+        if let Err(Halt::Demote(demotion)) = &result
+            && structural.demote(demotion, &parameters)
+        {
+            continue;
+        }
+        diagnostics.extend(reports);
+        diagnostics.append(&mut structural.notes);
+        diagnostics.sort_by_key(|diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
+        let failed = diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
+        diagnostics.splice(0..0, echoes);
+        let scene = result.ok().filter(|_| !failed).map(|(root, camera)| Scene { root, camera, parameters });
+        return Evaluation { scene, diagnostics };
+    }
+}
+
+/// Parses the definitions from outside. Each becomes a file of its own, so that messages can point into it.
+fn definitions(sources: &mut Sources, options: &Options, diagnostics: &mut Vec<Diagnostic>) -> Vec<Definition> {
+    let mut definitions = Vec::new();
+    for (name, value) in &options.definitions {
+        let text = format!("{name} = {value};");
+        let id = sources.add(SourceFile::new(format!("-D {name}"), text.clone()));
+        let (mut tree, reports) = parse(id, &text, Default::default());
+        let is_broken = !reports.is_empty();
+        diagnostics.extend(reports);
+        match tree.statements.pop() {
+            Some(Statement::Assignment(assignment))
+                if tree.statements.is_empty() && *assignment.name.node == **name && !is_broken =>
+            {
+                let span = assignment.span;
+                definitions.push(Definition { name: name.clone(), value: assignment.value, span });
+            }
+            _ => {
+                let message = format!("`{name}` can't be set to `{value}`, which is not one value");
+                diagnostics.push(Diagnostic::error(Span::new(id, 0..text.len()), message));
+            }
+        }
+    }
+    definitions
+}
+
+impl<'t> Evaluator<'t> {
+    fn scene(&mut self, definitions: &'t [Definition]) -> Result<(std::sync::Arc<chiaro_solid::Solid>, Camera)> {
+        self.default_specials();
+        let main = &self.library.files[0];
+        let id = self.plan_id(&main.tree.statements);
+        let plan = self.plan(id);
+        let scope = Rc::new(Scope::outermost(Some(id)));
+        self.top_level(&plan, definitions, &scope)?;
+        let camera = self.camera(&plan)?;
+        let children = self.instances(&plan, &scope, None)?;
+        let built = self.union(children, Span::new(main.id, 0..0));
+        let root = self.root.take().map_or(built.solid, |(_, root)| root);
+        Ok((root, camera))
+    }
+
+    fn default_specials(&mut self) {
+        let numbers = |values: &[f64]| Value::list(values.iter().copied().map(Value::number).collect());
+        let defaults = [
+            ("$fn", Value::number(0.0)),
+            ("$fa", Value::number(12.0)),
+            ("$fs", Value::number(2.0)),
+            ("$preview", Value::Bool(false)),
+            ("$vpr", numbers(&[0.0, 0.0, 0.0])),
+            ("$vpt", numbers(&[0.0, 0.0, 0.0])),
+            ("$vpd", Value::number(500.0)),
+            ("$vpf", Value::number(22.5)),
+        ];
+        for (name, value) in defaults {
+            self.specials.set(name.into(), Some(value));
+        }
+    }
+
+    /// Evaluates the scene's own variables, with values from outside instead of those in the text.
+    fn top_level(&mut self, plan: &Plan<'t>, definitions: &'t [Definition], scope: &Rc<Scope>) -> Result<()> {
+        let is_assigned = |name: &str| plan.assignments.iter().any(|planned| &*planned.first.name.node == name);
+        for definition in definitions.iter().filter(|definition| !is_assigned(&definition.name)) {
+            if !Specials::is_special(&definition.name) {
+                let message = format!("the scene has no variable `{}` to set", definition.name);
+                let mut error = Diagnostic::error(definition.span, message);
+                let known = plan.assignments.iter().map(|planned| &*planned.first.name.node);
+                error.hints.extend(suggest::hint(&definition.name, known));
+                self.error(error);
+                continue;
+            }
+            let slot = self.slot(&definition.value, scope)?;
+            match (definition.name.as_str(), slot.as_ref().and_then(Value::constant)) {
+                ("$t", Some(time)) => self.live.set_time(time),
+                _ => self.specials.set(definition.name.as_str().into(), slot),
+            }
+        }
+        for planned in &plan.assignments {
+            let name = &planned.first.name.node;
+            let outside = definitions.iter().rfind(|definition| *definition.name == **name);
+            let value = outside.map_or(planned.value(), |definition| &definition.value);
+            let slot = self.slot(value, scope)?.map(|value| self.live.assigned(planned.last, value));
+            if Specials::is_special(name) {
+                self.specials.set(name.clone(), slot);
+            } else {
+                scope.set(name.clone(), slot);
+            }
+        }
+        Ok(())
+    }
+
+    fn slot(&mut self, value: &Expression, scope: &Rc<Scope>) -> Result<Option<Value>> {
+        match self.expression(value, scope) {
+            Ok(value) => Ok(Some(value)),
+            Err(Halt::Reported) => Ok(None),
+            Err(halt) => Err(halt),
+        }
+    }
+
+    /// The plan of a file that is used.
+    pub(crate) fn used_plan(&mut self, file: FileIndex) -> Rc<Plan<'t>> {
+        let library = self.library;
+        let id = self.plan_id(&library.files[file].tree.statements);
+        self.plan(id)
+    }
+
+    /// A file that is used, its top level evaluated when it is first needed.
+    pub(crate) fn unit(&mut self, file: FileIndex) -> Result<Unit> {
+        if let Some(unit) = self.units.get(&file) {
+            return Ok(unit.clone());
+        }
+        let library = self.library;
+        let id = self.plan_id(&library.files[file].tree.statements);
+        let plan = self.plan(id);
+        let scope = Rc::new(Scope::outermost(Some(id)));
+        // Its variables may call functions of files that use it in turn: those see what is there so far.
+        self.units.insert(file, Unit { scope: scope.clone(), specials: Rc::default() });
+        let mark = self.specials.mark();
+        let result = self.assignments(&plan, &scope);
+        let names = plan.assignments.iter().map(|planned| planned.first.name.node.clone());
+        let specials = names.filter(|name| Specials::is_special(name));
+        let specials = specials.filter_map(|name| self.specials.get(&name).cloned().map(|slot| (name, slot))).collect();
+        self.specials.restore(mark);
+        result?;
+        let unit = Unit { scope, specials: Rc::new(specials) };
+        self.units.insert(file, unit.clone());
+        Ok(unit)
+    }
+
+    /// The view that the scene's top level sets.
+    fn camera(&mut self, plan: &Plan<'t>) -> Result<Camera> {
+        let mut camera = Camera::default();
+        for planned in &plan.assignments {
+            let name = &*planned.first.name.node;
+            let span = planned.value().span;
+            match name {
+                "$vpt" => camera.target = self.view_vector(name, span),
+                "$vpr" => camera.rotation = self.view_vector(name, span),
+                "$vpd" => camera.distance = self.view_number(name, span),
+                "$vpf" => camera.field_of_view = self.view_number(name, span),
+                _ => {}
+            }
+        }
+        Ok(camera)
+    }
+
+    fn view_vector(&mut self, name: &str, span: Span) -> Option<[Scalar; 3]> {
+        let value = self.specials.get(name)?.clone()?;
+        if let Value::List(list) = &value
+            && let [Value::Number(x), Value::Number(y), Value::Number(z)] = &list[..]
+        {
+            return Some([x.clone(), y.clone(), z.clone()]);
+        }
+        self.warn(Diagnostic::warning(span, format!("`{name}` takes three numbers, not {}", value.described())));
+        None
+    }
+
+    fn view_number(&mut self, name: &str, span: Span) -> Option<Scalar> {
+        match self.specials.get(name)?.clone()? {
+            Value::Number(number) => Some(number),
+            other => {
+                self.warn(Diagnostic::warning(span, format!("`{name}` takes a number, not {}", other.described())));
+                None
+            }
+        }
+    }
+}

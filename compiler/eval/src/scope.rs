@@ -1,0 +1,178 @@
+//! Scopes: what names stand for.
+//!
+//! Scopes nest lexically. Variables whose names begin with `$` are in none of them: they follow the calls, so that
+//! [`Specials`] keeps them on a stack.
+
+use std::cell::{Cell, RefCell};
+use std::fmt;
+use std::rc::Rc;
+
+use chiaro_syntax::tree::Name;
+use rustc_hash::FxHashMap;
+
+use crate::value::Value;
+
+/// The number of a block's [`Plan`](crate::plan::Plan).
+pub(crate) type PlanId = usize;
+
+/// What is known of a variable: its value, or nothing if computing it failed, which has been reported then.
+pub(crate) type Slot = Option<Value>;
+
+/// More variables than this get an index by name.
+const LINEAR_SEARCH: usize = 12;
+
+/// One level of names.
+pub(crate) struct Scope {
+    /// The scope around it.
+    pub(crate) parent: Option<Rc<Scope>>,
+    /// The block with the functions and modules defined here, if there may be any.
+    pub(crate) plan: Option<PlanId>,
+    /// Which of the evaluator's children `children()` stands for here, if a module's body begins here.
+    pub(crate) children: Option<usize>,
+    variables: RefCell<Variables>,
+    /// Whether a function literal refers to it, so that the evaluator keeps it in its list of such scopes.
+    is_captured: Cell<bool>,
+}
+
+#[derive(Clone, Default)]
+struct Variables {
+    entries: Vec<(Name, Slot)>,
+    index: FxHashMap<Name, usize>,
+}
+
+impl Scope {
+    /// An empty scope in another.
+    pub(crate) fn within(parent: &Rc<Scope>) -> Scope {
+        Scope { parent: Some(parent.clone()), ..Scope::outermost(None) }
+    }
+
+    /// An empty scope in no other, for the file with that plan.
+    pub(crate) fn outermost(plan: Option<PlanId>) -> Scope {
+        let variables = RefCell::default();
+        Scope { parent: None, plan, children: None, variables, is_captured: Cell::new(false) }
+    }
+
+    /// The scope of the block with that plan.
+    pub(crate) fn of_block(self, plan: PlanId) -> Scope {
+        Scope { plan: Some(plan), ..self }
+    }
+
+    /// The scope of a module's body, whose instance was given these children.
+    pub(crate) fn with_children(self, children: usize) -> Scope {
+        Scope { children: Some(children), ..self }
+    }
+
+    /// Sets a variable of this very scope.
+    pub(crate) fn set(&self, name: Name, slot: Slot) {
+        self.variables.borrow_mut().set(name, slot);
+    }
+
+    /// The variable of this very scope.
+    pub(crate) fn local(&self, name: &str) -> Option<Slot> {
+        let variables = self.variables.borrow();
+        variables.position(name).map(|at| variables.entries[at].1.clone())
+    }
+
+    /// The variable in this scope or the nearest one around it.
+    pub(crate) fn lookup(&self, name: &str) -> Option<Slot> {
+        self.chain().find_map(|scope| scope.local(name))
+    }
+
+    /// This scope and those around it, from the inside out.
+    pub(crate) fn chain(&self) -> impl Iterator<Item = &Scope> {
+        std::iter::successors(Some(self), |scope| scope.parent.as_deref())
+    }
+
+    /// The names of the variables of this very scope.
+    pub(crate) fn names(&self) -> Vec<Name> {
+        self.variables.borrow().entries.iter().map(|(name, _)| name.clone()).collect()
+    }
+
+    /// Marks it as captured. Answers whether it was not so before.
+    pub(crate) fn capture(&self) -> bool {
+        !self.is_captured.replace(true)
+    }
+
+    /// A scope with the same variables within another.
+    pub(crate) fn copied_into(&self, parent: &Rc<Scope>) -> Scope {
+        Scope { variables: self.variables.clone(), ..Scope::within(parent) }
+    }
+
+    /// Forgets all variables, which breaks cycles of scopes and the function literals in them.
+    pub(crate) fn clear(&self) {
+        drop(self.variables.take());
+    }
+}
+
+impl fmt::Debug for Scope {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.names()).finish()
+    }
+}
+
+impl Variables {
+    fn position(&self, name: &str) -> Option<usize> {
+        if self.entries.len() > LINEAR_SEARCH {
+            self.index.get(name).copied()
+        } else {
+            self.entries.iter().position(|(entry, _)| &**entry == name)
+        }
+    }
+
+    fn set(&mut self, name: Name, slot: Slot) {
+        if let Some(at) = self.position(&name) {
+            self.entries[at].1 = slot;
+            return;
+        }
+        self.entries.push((name.clone(), slot));
+        if self.entries.len() == LINEAR_SEARCH + 1 {
+            self.index = self.entries.iter().enumerate().map(|(at, (name, _))| (name.clone(), at)).collect();
+        } else if self.entries.len() > LINEAR_SEARCH {
+            self.index.insert(name, self.entries.len() - 1);
+        }
+    }
+}
+
+/// The variables that follow the calls: each name with its values, the current one last.
+#[derive(Default)]
+pub(crate) struct Specials {
+    values: FxHashMap<Name, Vec<Slot>>,
+    set: Vec<Name>,
+}
+
+impl Specials {
+    /// Whether that name is of such a variable.
+    pub(crate) fn is_special(name: &str) -> bool {
+        name.starts_with('$')
+    }
+
+    /// The current value.
+    pub(crate) fn get(&self, name: &str) -> Option<&Slot> {
+        self.values.get(name).and_then(|values| values.last())
+    }
+
+    /// Sets a value, until [`restore`](Self::restore) is called with an earlier mark.
+    pub(crate) fn set(&mut self, name: Name, slot: Slot) {
+        self.values.entry(name.clone()).or_default().push(slot);
+        self.set.push(name);
+    }
+
+    /// The current state, to be restored later.
+    pub(crate) fn mark(&self) -> usize {
+        self.set.len()
+    }
+
+    /// Takes back everything that was set since that mark.
+    pub(crate) fn restore(&mut self, mark: usize) {
+        while self.set.len() > mark {
+            if let Some(values) = self.set.pop().and_then(|name| self.values.get_mut(&name)) {
+                values.pop();
+            }
+        }
+    }
+
+    /// All names that have been set.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &Name> {
+        self.values.keys()
+    }
+}

@@ -1,0 +1,22 @@
+//! "Did you mean": the known name nearest to an unknown one.
+
+/// The most similar of the known names, if one is similar enough to be what was meant.
+pub(crate) fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+    let likeness = |other: &str| {
+        let case_only = name.eq_ignore_ascii_case(other);
+        if case_only { 1.0 } else { strsim::damerau_levenshtein(name, other) as f64 }
+    };
+    // A third of the letters may differ; short names need one letter's room.
+    let tolerance = (name.chars().count() as f64 / 3.0).max(1.0);
+    let best = known
+        .filter(|other| *other != name && other.len().abs_diff(name.len()) <= 4)
+        .map(|other| (likeness(other), other))
+        .filter(|(distance, _)| *distance <= tolerance)
+        .min_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(b.1)));
+    best.map(|(_, other)| other.to_string())
+}
+
+/// The hint for a name that is not known.
+pub(crate) fn hint<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+    nearest(name, known).map(|nearest| format!("did you mean `{nearest}`?"))
+}
