@@ -6,6 +6,7 @@ mod boolean;
 mod construct;
 mod contour;
 mod flatten;
+mod hull;
 mod intersect;
 mod measure;
 mod offset;
