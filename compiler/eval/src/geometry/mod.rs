@@ -1,7 +1,33 @@
 //! The modules that make geometry: from arguments and children to solids.
 //!
 //! This is all of the language that knows shapes; scopes, control flow and functions are elsewhere. Each module is a
-//! function from a [`Call`] to a solid.
+//! function from an [`Instance`] to a solid, and one row in the table of its file.
+
+mod arguments;
+mod booleans;
+mod colors;
+mod decide;
+mod exactness;
+mod extent;
+mod extrusions;
+mod facets;
+mod hull;
+mod instance;
+mod make;
+mod minkowski;
+mod natives;
+mod offsets;
+mod outline;
+mod pieces;
+mod planes;
+mod resize;
+mod solids;
+#[cfg(test)]
+mod testing;
+#[cfg(test)]
+mod tests;
+mod transforms;
+mod unsupported;
 
 use std::sync::Arc;
 
@@ -11,32 +37,10 @@ use chiaro_syntax::{Diagnostic, Span};
 use crate::settings::Settings;
 use crate::value::Value;
 
-mod facets;
-
+pub(crate) use booleans::union_of;
 pub use facets::Facets;
 
-/// The solid of a built-in module's instance; none, if there is no such module.
-pub(crate) fn build(
-    call: Call,
-    settings: &Settings,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Option<Result<Arc<Solid>, Stop>> {
-    let _ = settings;
-    match call.name {
-        "group" => Some(Ok(union_of(call.children, call.head, diagnostics))),
-        _ => None,
-    }
-}
-
-/// The names of all built-in modules that make geometry.
-pub(crate) fn names() -> impl Iterator<Item = &'static str> {
-    ["group"].into_iter()
-}
-
-/// What some children are together. Empty ones are dropped, and so are those of another dimension than the first.
-pub(crate) fn union_of(children: Vec<Arc<Solid>>, span: Span, _diagnostics: &mut Vec<Diagnostic>) -> Arc<Solid> {
-    children.into_iter().next().unwrap_or_else(|| Solid::new(chiaro_solid::SolidKind::Empty, span))
-}
+use instance::{Instance, Module};
 
 /// A built-in module's instance, its arguments evaluated and its children built.
 pub(crate) struct Call<'a> {
@@ -71,6 +75,7 @@ pub(crate) struct FacetVariables {
 }
 
 /// Why there is no solid.
+#[derive(Debug)]
 pub(crate) enum Stop {
     /// An error to report. The scene has no picture, but evaluation goes on to find more.
     Error(Box<Diagnostic>),
@@ -79,6 +84,7 @@ pub(crate) enum Stop {
 }
 
 /// A live number that decides the structure of the scene.
+#[derive(Debug)]
 pub(crate) struct Demotion {
     /// The number.
     pub(crate) number: Scalar,
@@ -86,4 +92,36 @@ pub(crate) struct Demotion {
     pub(crate) span: Span,
     /// What for, as in "a list index".
     pub(crate) reason: &'static str,
+}
+
+/// What a module's function answers.
+type Built = Result<Arc<Solid>, Stop>;
+
+/// The tables of all files, in the order in which names are looked up.
+const TABLES: [&[Module]; 11] = [
+    solids::MODULES,
+    planes::MODULES,
+    transforms::MODULES,
+    booleans::MODULES,
+    extrusions::MODULES,
+    offsets::MODULES,
+    minkowski::MODULES,
+    hull::MODULES,
+    resize::MODULES,
+    colors::MODULES,
+    unsupported::MODULES,
+];
+
+/// The solid of a built-in module's instance; none, if there is no such module.
+pub(crate) fn build(call: Call, settings: &Settings, diagnostics: &mut Vec<Diagnostic>) -> Option<Built> {
+    if let Some(module) = TABLES.iter().copied().flatten().find(|module| module.name == call.name) {
+        let mut instance = Instance::bind(call, module.positional, module.named, settings.facets, diagnostics);
+        return Some((module.build)(&mut instance));
+    }
+    natives::build(call, settings.facets, diagnostics)
+}
+
+/// The names of all built-in modules that make geometry.
+pub(crate) fn names() -> impl Iterator<Item = &'static str> {
+    TABLES.iter().copied().flatten().map(|module| module.name).chain(natives::names())
 }

@@ -1,0 +1,121 @@
+//! `color`: the material of what it is applied to.
+
+mod names;
+
+use chiaro_solid::{Material, Scalar, Solid, SolidKind};
+use chiaro_syntax::Diagnostic;
+
+use super::arguments::{nearest, numbers};
+use super::instance::{Instance, Module, error};
+use super::make::is_empty;
+use super::{Built, Stop, decide};
+use crate::value::Value;
+
+pub(super) const MODULES: &[Module] = &[Module {
+    name: "color",
+    positional: &["c", "alpha"],
+    named: &["roughness", "metallic", "emission"],
+    build: color,
+}];
+
+fn color(instance: &mut Instance) -> Built {
+    let child = instance.union();
+    let color = read_color(instance);
+    let unpainted = Material::default();
+    let surface = [share(instance, "roughness")?, share(instance, "metallic")?, brightness(instance)?];
+    if is_empty(&child) || (color.is_none() && surface.iter().all(Option::is_none)) {
+        return Ok(child);
+    }
+    let [roughness, metallic, emission] = surface;
+    let material = Material {
+        color: color.unwrap_or(unpainted.color),
+        roughness: roughness.unwrap_or(unpainted.roughness),
+        metallic: metallic.unwrap_or(unpainted.metallic),
+        emission: emission.unwrap_or(unpainted.emission),
+    };
+    Ok(Solid::new(SolidKind::Paint(material, child), instance.head))
+}
+
+/// The colour with its opacity; none if none is given, or one that OpenSCAD's dumps mark as invalid.
+fn read_color(instance: &mut Instance) -> Option<[Scalar; 4]> {
+    let alpha = instance.number("alpha");
+    let (value, span) = instance.value("c")?;
+    let mut color = match &value {
+        Value::String(name) => {
+            let Some(color) = parse(name) else {
+                let warning =
+                    Diagnostic::warning(span, format!("there is no colour \"{name}\", so that nothing is painted"));
+                let near = nearest(&name.to_lowercase(), names::NAMES.iter().map(|(name, _)| *name));
+                instance.report(match near {
+                    Some(near) => warning.with_hint(format!("did you mean \"{near}\"?")),
+                    None => {
+                        warning.with_hint("a colour is a name, \"#rrggbb\", \"#rrggbbaa\" or a list of 3 or 4 numbers")
+                    }
+                });
+                return None;
+            };
+            color.map(Scalar::from)
+        }
+        value => match numbers(value).as_deref() {
+            Some([r, g, b]) => [r.clone(), g.clone(), b.clone(), Scalar::ONE],
+            Some([r, g, b, a]) => [r.clone(), g.clone(), b.clone(), a.clone()],
+            _ => return instance.unfit("c", value, span, "a colour's name or a list of 3 or 4 numbers"),
+        },
+    };
+    if let Some(alpha) = alpha {
+        color[3] = alpha;
+    }
+    if color.iter().any(|component| component.range().max < 0.0) {
+        return None;
+    }
+    if color.iter().any(|component| component.range().min < 0.0 || component.range().max > 1.0) {
+        instance.warn(span, "a colour's components go from 0 to 1; what is beyond counts as that");
+    }
+    Some(color.map(|component| component.max(Scalar::ZERO).min(Scalar::ONE)))
+}
+
+/// The colour of a name in any case, or of hexadecimal digits.
+fn parse(text: &str) -> Option<[f64; 4]> {
+    if let Some(digits) = text.strip_prefix('#') {
+        return parse_hexadecimal(digits);
+    }
+    let name = text.to_lowercase();
+    if name == "transparent" {
+        return Some([0.0; 4]);
+    }
+    let index = names::NAMES.binary_search_by(|(candidate, _)| (*candidate).cmp(&name)).ok()?;
+    let [_, r, g, b] = names::NAMES[index].1.to_be_bytes();
+    Some([r, g, b, 255].map(|component| f64::from(component) / 255.0))
+}
+
+/// The colour of 3, 4, 6 or 8 digits.
+fn parse_hexadecimal(digits: &str) -> Option<[f64; 4]> {
+    let values: Vec<f64> = digits.chars().map(|digit| digit.to_digit(16).map(f64::from)).collect::<Option<_>>()?;
+    let components: Vec<f64> = match values.len() {
+        3 | 4 => values.iter().map(|value| value / 15.0).collect(),
+        6 | 8 => values.chunks(2).map(|pair| (16.0 * pair[0] + pair[1]) / 255.0).collect(),
+        _ => return None,
+    };
+    Some(std::array::from_fn(|i| components.get(i).copied().unwrap_or(1.0)))
+}
+
+/// A number from 0 to 1, if it is given.
+fn share(instance: &mut Instance, parameter: &str) -> Result<Option<Scalar>, Stop> {
+    let Some(number) = instance.number(parameter) else { return Ok(None) };
+    let range = number.range();
+    if range.min < 0.0 || range.max > 1.0 {
+        return Err(error(instance.place(parameter), format!("`{parameter}` goes from 0 to 1")));
+    }
+    Ok(Some(number))
+}
+
+/// A finite number that is not negative, if it is given.
+fn brightness(instance: &mut Instance) -> Result<Option<Scalar>, Stop> {
+    let Some(number) = instance.number("emission") else { return Ok(None) };
+    let span = instance.place("emission");
+    let finite = number.constant().is_none_or(f64::is_finite);
+    if !finite || decide::is_negative(&number, span, "whether an emission is negative")? {
+        return Err(error(span, "`emission` is a multiple of the colour and cannot be negative"));
+    }
+    Ok(Some(number))
+}

@@ -1,0 +1,97 @@
+//! Plane shapes as exact outlines, for what distances are not enough for: mitred and repeated offsets, hulls, filled
+//! holes. An outline has no live numbers.
+
+use chiaro_plane::region::Point;
+use chiaro_plane::{Contour, Join, Region};
+use chiaro_solid::{Affine, Boolean, Scalar, Solid, SolidKind};
+use chiaro_syntax::Span;
+use chiaro_vocabulary::Row;
+
+use super::instance::error;
+use super::{Stop, decide};
+
+/// The outline of a plane shape.
+pub(super) fn outline(solid: &Solid) -> Result<Region, Stop> {
+    match &solid.kind {
+        SolidKind::Empty => Ok(Region::default()),
+        SolidKind::Shape(row, arguments) => shape_outline(row, &known(arguments, solid.span)?, solid.span),
+        SolidKind::Region(region) => Ok((**region).clone()),
+        SolidKind::Boolean { operation, joint: None, children } => {
+            let outlines = children.iter().map(|child| outline(child)).collect::<Result<Vec<_>, _>>()?;
+            Ok(boolean(*operation, &outlines))
+        }
+        SolidKind::Transform(map, child) => Ok(outline(child)?.transform(plane_rows(map, solid.span)?)),
+        SolidKind::Paint(_, child) => outline(child),
+        SolidKind::Offset(by, child) => Ok(outline(child)?.offset(known_number(by, solid.span)?, Join::Round)),
+        SolidKind::Shell(thickness, child) => {
+            let (half, child) = (0.5 * known_number(thickness, solid.span)?, outline(child)?);
+            Ok(child.offset(half, Join::Round).difference(&[child.offset(-half, Join::Round)]))
+        }
+        SolidKind::Boolean { joint: Some(_), .. } => {
+            Err(error(solid.span, "what is joined with a radius has no exact outline yet"))
+        }
+        SolidKind::Slice(_) => Err(error(solid.span, "the cut through a solid has no exact outline yet")),
+        _ => Err(error(solid.span, "this is no plane shape")),
+    }
+}
+
+/// An outline without what no disc of that radius inside it reaches: its corners are rounded, its narrow parts gone.
+pub(super) fn opened(region: &Region, radius: f64) -> Region {
+    region.offset(-radius, Join::Round).offset(radius, Join::Round)
+}
+
+/// An outline without its holes.
+pub(super) fn filled(region: &Region) -> Region {
+    let outer = |contour: &Contour| contour.signed_area() > 0.0;
+    let contours = region.normalized().contours.into_iter().filter(outer);
+    let parts: Vec<Region> = contours.map(|contour| Region { contours: vec![contour] }).collect();
+    Region::union(&parts)
+}
+
+fn boolean(operation: Boolean, outlines: &[Region]) -> Region {
+    match (operation, outlines) {
+        (Boolean::Union, _) => Region::union(outlines),
+        (Boolean::Intersection, _) => Region::intersection(outlines),
+        (Boolean::Difference, [first, others @ ..]) => first.difference(others),
+        (Boolean::Difference, []) => Region::default(),
+    }
+}
+
+fn shape_outline(row: &Row, arguments: &[f64], span: Span) -> Result<Region, Stop> {
+    match (row.name, arguments) {
+        ("circle", [radius]) => Ok(Region::circle(*radius)),
+        ("rectangle", [x, y]) => Ok(Region::rectangle([-x, -y], [*x, *y])),
+        ("ngon", [radius, sides]) => Ok(Region::ngon(*radius, *sides as u32)),
+        ("ellipse", [x, y]) => Ok(Region::circle(1.0).transform([[*x, 0.0, 0.0], [0.0, *y, 0.0]])),
+        ("ring", [outer, inner]) => Ok(Region::circle(*outer).difference(&[Region::circle(*inner)])),
+        ("star", [outer, inner, points]) => Ok(star(*outer, *inner, *points as u32)),
+        _ => Err(error(span, format!("`{}` has no exact outline yet", row.name))),
+    }
+}
+
+/// Points and notches in turn, the first point on the x axis.
+fn star(outer: f64, inner: f64, points: u32) -> Region {
+    let corner = |k: u32| -> Point {
+        let radius = if k.is_multiple_of(2) { outer } else { inner };
+        let (sin, cos) = (std::f64::consts::PI * f64::from(k) / f64::from(points)).sin_cos();
+        [radius * cos, radius * sin]
+    };
+    Region::polygon(&(0..points.saturating_mul(2)).map(corner).collect::<Vec<_>>(), None)
+}
+
+/// What a map does in the plane.
+fn plane_rows(map: &Affine, span: Span) -> Result<[[f64; 3]; 2], Stop> {
+    let row = |i: usize| -> Result<[f64; 3], Stop> {
+        let [x, y, _, shift] = &map.rows()[i];
+        Ok([known_number(x, span)?, known_number(y, span)?, known_number(shift, span)?])
+    };
+    Ok([row(0)?, row(1)?])
+}
+
+fn known(numbers: &[Scalar], span: Span) -> Result<Vec<f64>, Stop> {
+    numbers.iter().map(|number| known_number(number, span)).collect()
+}
+
+fn known_number(number: &Scalar, span: Span) -> Result<f64, Stop> {
+    decide::constant(number, span, "a plane shape whose outline has to be known")
+}
