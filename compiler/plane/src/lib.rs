@@ -9,6 +9,7 @@ mod flatten;
 mod hull;
 mod intersect;
 mod measure;
+mod minkowski;
 mod offset;
 mod overlay;
 mod recover;
