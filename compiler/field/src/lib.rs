@@ -1,7 +1,14 @@
 //! Lowers a solid tree to a field graph with sound facts, and evaluates it on the CPU.
 
+mod build;
+mod extent;
 pub mod facts;
 pub mod graph;
+mod hull;
+mod lower;
+mod matrix;
+mod walk;
 
 pub use facts::Facts;
 pub use graph::{Graph, MaterialId, Node, NodeId, Operation, Point, PointId};
+pub use lower::lower;

@@ -34,6 +34,11 @@ impl Affine {
         Self { rows, factor }
     }
 
+    /// The map with these rows, of which the caller knows that it changes all distances by this positive factor.
+    pub fn similar(rows: [[Scalar; 4]; 3], factor: Scalar) -> Self {
+        Self { rows, factor: Some(factor) }
+    }
+
     /// The map with these constant rows.
     pub fn constant(rows: [[f64; 4]; 3]) -> Self {
         Self::new(rows.map(|row| row.map(Scalar::Constant)))

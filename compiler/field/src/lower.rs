@@ -1,0 +1,181 @@
+//! Lowers a solid tree to a field graph.
+//!
+//! On the way down a [`Context`] says where one is: the point that is asked there, and by how much lengths of the
+//! solid are to be multiplied to be millimetres of the world. So no distance needs to be scaled on the way up, and
+//! every transform ends in one matrix at the shape below it.
+
+mod boolean;
+mod context;
+mod plane;
+mod shape;
+mod sphere_hull;
+mod warp;
+
+use std::sync::Arc;
+
+use chiaro_solid::{Dimension, Solid, SolidKind};
+use chiaro_syntax::{Diagnostic, Span};
+use chiaro_vocabulary::{Class, rows};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::build::Builder;
+use crate::extent::WORLD;
+use crate::graph::{Graph, Node, NodeId, Point};
+use context::Context;
+
+/// More nodes than this are refused: it is far beyond what any shader could hold, but within memory.
+const MOST_NODES: usize = 1 << 22;
+
+/// The field graph of a scene, and what there is to say about it. If an error is among that, the graph lacks what
+/// the error is about.
+pub fn lower(root: &Arc<Solid>) -> (Graph, Vec<Diagnostic>) {
+    let mut lowering = Lowering::new();
+    let context = match root.dimension() {
+        Some(Dimension::Plane) => lowering.slice_of_world(),
+        Some(Dimension::Space) | None => lowering.context(WORLD),
+    };
+    let lowered = lowering.lower(root, &context);
+    let Lowering { mut builder, diagnostics, .. } = lowering;
+    let root = lowered.unwrap_or_else(|| builder.node(Node::Nothing, root.span, Class::Exact, 1.0));
+    (builder.finish(root), diagnostics)
+}
+
+/// The state of lowering one tree.
+struct Lowering {
+    builder: Builder,
+    /// What shared subtrees came to, by their address and their context. The tree outlives this.
+    lowered: FxHashMap<(*const Solid, u32), Option<NodeId>>,
+    contexts: u32,
+    /// The contexts in which solids are measured in their own coordinates: in space and in the plane.
+    probes: Option<[Context; 2]>,
+    diagnostics: Vec<Diagnostic>,
+    /// What has been said, so that nothing is said twice.
+    said: FxHashSet<(Option<Span>, String)>,
+}
+
+impl Lowering {
+    fn new() -> Self {
+        Self {
+            builder: Builder::new(),
+            lowered: FxHashMap::default(),
+            contexts: 0,
+            probes: None,
+            diagnostics: Vec::new(),
+            said: FxHashSet::default(),
+        }
+    }
+
+    /// The node for a solid; none if there is nothing of it.
+    fn lower(&mut self, solid: &Arc<Solid>, context: &Context) -> Option<NodeId> {
+        if self.builder.len() > MOST_NODES {
+            self.say(Diagnostic::error(solid.span, format!("the scene has more than {MOST_NODES} parts")));
+            return None;
+        }
+        let key = (Arc::as_ptr(solid), context.id);
+        let shared = Arc::strong_count(solid) > 1 || context.probe;
+        if let (true, Some(known)) = (shared, self.lowered.get(&key)) {
+            return *known;
+        }
+        let node = self.lower_afresh(solid, context);
+        let node = node.filter(|node| !self.builder.facts(*node).bounds.is_empty());
+        if shared {
+            self.lowered.insert(key, node);
+        }
+        node
+    }
+
+    fn lower_afresh(&mut self, solid: &Arc<Solid>, context: &Context) -> Option<NodeId> {
+        let span = solid.span;
+        match &solid.kind {
+            SolidKind::Empty => None,
+            SolidKind::Shape(row, arguments) => Some(self.shape(row, arguments, context, span)),
+            SolidKind::Region(region) => self.region(region, context, span),
+            SolidKind::SphereHull(spheres) => self.sphere_hull(spheres, context, span),
+            SolidKind::Boolean { operation, joint, children } => {
+                self.boolean(*operation, joint.as_ref(), children, context, span)
+            }
+            SolidKind::Transform(map, child) => {
+                let below = self.derive(context, |below| {
+                    below.since = below.since.after(map);
+                    below.transformed_at = span;
+                });
+                self.lower(child, &below)
+            }
+            SolidKind::Paint(material, child) if !context.painted => {
+                let below = self.derive(context, |below| below.painted = true);
+                let node = self.lower(child, &below)?;
+                let material = self.builder.material(material);
+                let facts = *self.builder.facts(node);
+                Some(self.builder.node(Node::Paint(material, node), span, facts.class, facts.lipschitz))
+            }
+            SolidKind::Paint(_, child) => self.lower(child, context),
+            SolidKind::Offset(by, child) => self.offset(by, child, context, span),
+            SolidKind::Shell(thickness, child) => self.shell(thickness, child, context, span),
+            SolidKind::Twist(rate, child) => self.twist(rate, child, context, span),
+            SolidKind::Extrude { height, twist, scale, child } => {
+                self.extrude([height, twist, &scale[0], &scale[1]], child, context, span)
+            }
+            SolidKind::Revolve { sweep, facets, child } => self.revolve(sweep.as_ref(), *facets, child, context, span),
+            SolidKind::Slice(child) => self.slice(child, context),
+        }
+    }
+
+    fn offset(
+        &mut self,
+        by: &chiaro_solid::Scalar,
+        child: &Arc<Solid>,
+        context: &Context,
+        span: Span,
+    ) -> Option<NodeId> {
+        let below = self.settled(context);
+        let node = self.lower(child, &below)?;
+        let facts = *self.builder.facts(node);
+        // Outside of what is shrunk, and inside of what is grown, another point of the surface may be nearer.
+        let class = if by.range().min < 0.0 { Class::Bound } else { facts.class.max(Class::ExactOutside) };
+        let arguments = vec![below.length(by)];
+        Some(self.builder.node(Node::Adjust(&rows::OFFSET, arguments, node), span, class, facts.lipschitz))
+    }
+
+    fn shell(
+        &mut self,
+        thickness: &chiaro_solid::Scalar,
+        child: &Arc<Solid>,
+        context: &Context,
+        span: Span,
+    ) -> Option<NodeId> {
+        let below = self.settled(context);
+        let node = self.lower(child, &below)?;
+        let facts = *self.builder.facts(node);
+        let class = if facts.class == Class::Exact { Class::ExactOutside } else { Class::Bound };
+        let arguments = vec![below.length(thickness)];
+        Some(self.builder.node(Node::Adjust(&rows::SHELL, arguments, node), span, class, facts.lipschitz))
+    }
+
+    /// The solid in its own coordinates, to measure it.
+    fn probe(&mut self, solid: &Arc<Solid>) -> Option<NodeId> {
+        let [space, plane] = match self.probes.take() {
+            Some(probes) => probes,
+            None => {
+                let probe = |context: Context| Context { painted: true, probe: true, ..context };
+                [probe(self.context(WORLD)), probe(self.slice_of_world())]
+            }
+        };
+        let context = if solid.dimension() == Some(Dimension::Plane) { &plane } else { &space };
+        let node = self.lower(solid, context);
+        self.probes = Some([space, plane]);
+        node
+    }
+
+    /// The context of a plane scene.
+    fn slice_of_world(&mut self) -> Context {
+        let slice = self.builder.point(Point::Warp(&rows::SLICE, Vec::new(), WORLD));
+        let context = self.context(slice);
+        Context { plane: true, ..context }
+    }
+
+    fn say(&mut self, diagnostic: Diagnostic) {
+        if self.said.insert((diagnostic.span, diagnostic.message.clone())) {
+            self.diagnostics.push(diagnostic);
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! Where one is in the tree.
+
+use chiaro_solid::affine::Similarity;
+use chiaro_solid::{Affine, Scalar};
+use chiaro_syntax::{Diagnostic, FileId, Span};
+use chiaro_vocabulary::Class;
+
+use super::Lowering;
+use crate::graph::PointId;
+use crate::matrix::{self, condition, constant_rows, linear, magnitude, orthogonal_columns, ratio};
+
+/// What a solid needs to know of what stands above it.
+///
+/// The solid's own coordinates x come to the base point's as `forward(size · since(x))`. Transforms gather in
+/// `since` until something measures lengths below them, so that stretches that undo each other cost nothing.
+#[derive(Clone, Debug)]
+pub(super) struct Context {
+    /// Its number: equal for equal contexts of shared subtrees.
+    pub(super) id: u32,
+    /// The point that maps start from; no [`Point::Affine`](crate::Point::Affine).
+    pub(super) base: PointId,
+    /// From lengths in millimetres of the world to the base point; it makes no length shorter.
+    pub(super) forward: Affine,
+    /// How many millimetres of the world one millimetre above `since` is.
+    pub(super) size: Scalar,
+    /// The transforms below that.
+    pub(super) since: Affine,
+    /// The text of the innermost transform.
+    pub(super) transformed_at: Span,
+    /// The Lipschitz constant of a distance asked at the base point, by the point the scene is asked about.
+    pub(super) slope: f64,
+    /// The best class a distance may have here.
+    pub(super) best: Class,
+    /// Whether the base point is a plane point.
+    pub(super) plane: bool,
+    /// Whether something above is painted.
+    pub(super) painted: bool,
+    /// Whether the solid is only being measured.
+    pub(super) probe: bool,
+}
+
+/// A place to put a shape.
+pub(super) struct Place {
+    /// From lengths in millimetres of the world to the base point.
+    pub(super) forward: Affine,
+    /// How many millimetres of the world the shape's are.
+    pub(super) size: Scalar,
+    /// Whether `forward` keeps all lengths.
+    pub(super) rigid: bool,
+}
+
+impl Lowering {
+    /// The context of a whole tree that is asked at a point.
+    pub(super) fn context(&mut self, base: PointId) -> Context {
+        Context {
+            id: self.next_context(),
+            base,
+            forward: Affine::identity(),
+            size: Scalar::ONE,
+            since: Affine::identity(),
+            transformed_at: Span::new(FileId(0), 0..0),
+            slope: 1.0,
+            best: Class::Exact,
+            plane: false,
+            painted: false,
+            probe: false,
+        }
+    }
+
+    /// A context made from one above it.
+    pub(super) fn derive(&mut self, context: &Context, change: impl FnOnce(&mut Context)) -> Context {
+        let mut below = context.clone();
+        below.id = self.next_context();
+        change(&mut below);
+        below
+    }
+
+    fn next_context(&mut self) -> u32 {
+        self.contexts += 1;
+        self.contexts
+    }
+
+    /// The same context for something that measures lengths: with no transforms left open.
+    pub(super) fn settled(&mut self, context: &Context) -> Context {
+        let place = self.place(context);
+        self.derive(context, |below| {
+            below.forward = place.forward;
+            below.size = place.size;
+            below.since = Affine::identity();
+            if !place.rigid {
+                below.best = Class::Bound;
+            }
+        })
+    }
+
+    /// Where a shape is to be put. If lengths are stretched, distances count by the direction they are stretched
+    /// least in.
+    pub(super) fn place(&mut self, context: &Context) -> Place {
+        let since = context.open_transforms();
+        let (factor, rigid) = match since.similarity() {
+            Similarity::Uniform(factor) => (factor, true),
+            Similarity::AtLeast(factor) => (factor, false),
+        };
+        if !rigid {
+            self.warn_of_stretch(&since, context.transformed_at);
+        }
+        let forward = context.forward.after(&unscaled(&since, &context.size, &[(); 3].map(|()| factor.clone())));
+        Place { forward, size: context.size.clone() * factor, rigid }
+    }
+
+    /// Where a shape is to be put that is stretched along its own axes by factors, if the transforms come to that.
+    pub(super) fn stretched_place(&self, context: &Context) -> Option<(Place, [Scalar; 3])> {
+        let since = context.open_transforms();
+        if matches!(since.similarity(), Similarity::Uniform(_)) {
+            return None;
+        }
+        let factors = orthogonal_columns(&since)?;
+        let forward = context.forward.after(&unscaled(&since, &context.size, &factors));
+        Some((Place { forward, size: context.size.clone(), rigid: true }, factors))
+    }
+
+    fn warn_of_stretch(&mut self, since: &Affine, span: Span) {
+        const MUCH: f64 = 8.0;
+        let Some(rows) = constant_rows(since) else { return };
+        let condition = condition(&linear(&rows));
+        if condition > MUCH {
+            let message = format!("this stretches one direction {condition:.1} times more than another");
+            let label = "distances count by the shortest, so rays take many more steps here";
+            self.say(Diagnostic::warning(span, message).with_label(label));
+        }
+    }
+}
+
+impl Context {
+    /// A length of the solid, once it is settled, in millimetres of the world.
+    pub(super) fn length(&self, length: &Scalar) -> Scalar {
+        if self.size.is(1.0) { length.clone() } else { length.clone() * self.size.clone() }
+    }
+
+    /// The transforms since the context was settled; of a plane shape, with a scale of z that fits.
+    fn open_transforms(&self) -> Affine {
+        if self.plane { plane_map(&self.since) } else { self.since.clone() }
+    }
+}
+
+/// The map with lengths multiplied by a size and its columns divided by their factors.
+fn unscaled(map: &Affine, size: &Scalar, factors: &[Scalar; 3]) -> Affine {
+    let one = |scalar: &Scalar| scalar.is(1.0);
+    if one(size) && factors.iter().all(one) {
+        return map.clone();
+    }
+    let row = |i: usize| {
+        let row = &map.rows()[i];
+        let turn = |j: usize| ratio(&row[j], &factors[j]);
+        [turn(0), turn(1), turn(2), row[3].clone() * size.clone()]
+    };
+    let rows = [row(0), row(1), row(2)];
+    match map.similarity() {
+        Similarity::Uniform(_) => Affine::similar(rows, Scalar::ONE),
+        Similarity::AtLeast(_) => Affine::new(rows),
+    }
+}
+
+/// A map of the plane, with a scale of z that hides nothing: the plane's factor, or its least.
+fn plane_map(map: &Affine) -> Affine {
+    let rows = map.rows();
+    let zero = || Scalar::ZERO;
+    if let Some(constant) = constant_rows(map) {
+        let [[a, b, _, _], [c, d, _, _], _] = constant;
+        let least = least_singular_value([[a, b], [c, d]]);
+        return Affine::constant([[a, b, 0.0, constant[0][3]], [c, d, 0.0, constant[1][3]], [0.0, 0.0, least, 0.0]]);
+    }
+    if matches!(map.similarity(), Similarity::Uniform(_)) {
+        return map.clone();
+    }
+    if rows[0][0] == rows[1][1] && rows[0][1].is(0.0) && rows[1][0].is(0.0) {
+        let mut uniform = rows.clone();
+        uniform[2] = [zero(), zero(), rows[0][0].clone(), zero()];
+        return Affine::similar(uniform, magnitude(&rows[0][0]));
+    }
+    map.clone()
+}
+
+/// The least singular value of a 2 × 2 matrix; exactly the factor, if it is diagonal and uniform.
+fn least_singular_value([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
+    if b == 0.0 && c == 0.0 {
+        return a.abs().min(d.abs());
+    }
+    // The singular values are the sum and the difference of these lengths (split into a turn and a mirrored turn).
+    let turn = 0.5 * (a + d).hypot(c - b);
+    let mirrored = 0.5 * (a - d).hypot(c + b);
+    (turn - mirrored).abs()
+}
+
+impl Lowering {
+    /// The point at which a shape is asked that stands there. Of a round shape only the place of its centre counts.
+    pub(super) fn point_at(&mut self, base: PointId, forward: &Affine, round: bool) -> PointId {
+        let forward =
+            if round { Affine::translation([0, 1, 2].map(|i| forward.rows()[i][3].clone())) } else { forward.clone() };
+        let local = undone(&forward);
+        if local == Affine::identity() { base } else { self.builder.affine(local, forward, base) }
+    }
+}
+
+/// The inverse of a map from a place to the base point.
+fn undone(forward: &Affine) -> Affine {
+    if let Some(rows) = constant_rows(forward) {
+        return Affine::constant(matrix::inverse(&rows));
+    }
+    if forward.is_translation() {
+        return Affine::translation([0, 1, 2].map(|i| -forward.rows()[i][3].clone()));
+    }
+    match forward.similarity() {
+        // Of a rotation or reflection the inverse is the transpose, which costs nothing.
+        Similarity::Uniform(factor) if factor.is(1.0) => {
+            let rows = forward.rows();
+            let entry = |i: usize, j: usize| rows[j][i].clone();
+            let shift = |i: usize| {
+                let products = (0..3).map(|k| rows[k][i].clone() * rows[k][3].clone());
+                -products.fold(Scalar::ZERO, |sum, product| sum + product)
+            };
+            Affine::new([0, 1, 2].map(|i| [entry(i, 0), entry(i, 1), entry(i, 2), shift(i)]))
+        }
+        _ => forward.inverse(),
+    }
+}
