@@ -3,13 +3,18 @@
 mod common;
 
 use chiaro_vocabulary::cpu::{Dual, Number};
+use chiaro_vocabulary::rows::joint_steps;
 use common::{Random, call};
 
-/// The joint by Newton's method, as the field builds it.
+/// The joint by Newton's method, as good as it gets.
 fn joint<N: Number>(operands: &[N], r: f64, exponent: f64) -> N {
+    joint_after(12, operands, r, exponent)
+}
+
+fn joint_after<N: Number>(steps: u32, operands: &[N], r: f64, exponent: f64) -> N {
     let (r, exponent) = (N::of(r), N::of(exponent));
     let mut x = operands.iter().copied().reduce(N::min).unwrap();
-    for _ in 0..12 {
+    for _ in 0..steps {
         let mut state = [N::of(0.0); 2];
         for operand in operands {
             let [sum, slope, _] = call("joint_term", &[&state, &[*operand, x, r, exponent]]);
@@ -50,6 +55,22 @@ fn operands_may_come_in_any_order_and_far_ones_do_not_count() {
             let least = operands.iter().copied().fold(f64::INFINITY, f64::min);
             let far = [operands.as_slice(), &[least + 2.0]].concat();
             assert!((x - joint(&far, 2.0, exponent)).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn the_advised_number_of_steps_is_enough() {
+    let mut random = Random(4);
+    for count in 2..=16 {
+        for _ in 0..100 {
+            let spread = random.of(&[0.0, 0.1, 1.0]);
+            let operands: Vec<f64> = (0..count).map(|_| spread * random.within(0.0, 1.0)).collect();
+            for (exponent, _) in CLOSED {
+                let early = joint_after(joint_steps(count), &operands, 1.0, exponent);
+                let error = early - joint(&operands, 1.0, exponent);
+                assert!((-1e-9..1e-5).contains(&error), "{operands:?} {exponent}: {error}");
+            }
         }
     }
 }

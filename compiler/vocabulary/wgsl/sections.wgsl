@@ -5,9 +5,8 @@ fn section_revolve(p: vec3<f32>) -> vec2<f32> {
     return vec2(length(p.xy), p.z);
 }
 
-// A turn about z on the regular n-gon with its first corner at angle 0, instead of a circle: an edge at
-// radius r of the plane shape becomes an n-gon with its corners at radius r. Stretches distances up to 1 /
-// cos(pi / n) times.
+// A turn about z on the regular n-gon with its first corner at angle 0, instead of a circle: an edge at radius r of the
+// plane shape becomes an n-gon with its corners at radius r. Its Lipschitz constant is 1 / cos(pi / n).
 fn section_revolve_facets(p: vec3<f32>, n: f32) -> vec2<f32> {
     return vec2(sector_of(p.xy, n).x / cos(PI / n), p.z);
 }
