@@ -1,1 +1,77 @@
 //! The compiler from CSG scenes to shader code: the whole pipeline behind one call.
+//!
+//! ```text
+//! text ──parse──► syntax tree ──evaluate──► solid tree ──lower──► field graph ──splice──► naga module
+//! ```
+//!
+//! * [`chiaro_syntax::parse`] reads a text; it never fails, but answers diagnostics beside its tree.
+//! * [`chiaro_eval::evaluate`] runs the program: what is left are shapes, operators, materials and live numbers.
+//! * [`chiaro_field::lower`] makes one graph of distances of it, with sound facts about every node.
+//! * [`chiaro_shader::splice`] emits the graph into a template's naga module, and [`chiaro_shader::wgsl`] as text.
+//!
+//! [`compile`] goes from a file's name to the field graph. Every stage is a function from one plain datum to the next;
+//! no stage looks back, and none touches a file, a clock or a GPU: files come through the caller's [`World`].
+
+mod scene;
+
+use std::panic::resume_unwind;
+
+use chiaro_eval::{Evaluation, STACK_BYTES, evaluate};
+use chiaro_syntax::{Diagnostic, Severity, SourceFile, Sources};
+
+pub use chiaro_eval::{Facets, Options, World};
+pub use chiaro_field as field;
+pub use chiaro_shader as shader;
+pub use chiaro_solid as solid;
+pub use chiaro_syntax as syntax;
+pub use chiaro_vocabulary as vocabulary;
+pub use scene::Scene;
+
+/// What compiling a file came to: a scene unless there is an error, and in any case what there is to say.
+#[derive(Debug)]
+pub struct Compilation {
+    /// Every file read, the scene's own first. Spans refer to these.
+    pub sources: Sources,
+    /// Errors, warnings and notes, in the order of the text.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The scene, if there is no error.
+    pub scene: Option<Scene>,
+}
+
+impl Compilation {
+    /// Whether anything is an error; then there is no scene.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
+    }
+}
+
+/// Compiles the file `name` of `world`, up to its field graph.
+pub fn compile(world: &dyn World, name: &str, options: &Options) -> Compilation {
+    let mut sources = Sources::default();
+    let text = match world.read(name) {
+        Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
+        Err(reason) => {
+            let diagnostic = Diagnostic::error(None, format!("cannot read {name}: {reason}"));
+            return Compilation { sources, diagnostics: vec![diagnostic], scene: None };
+        }
+    };
+    let main = sources.add(SourceFile::new(name, text));
+
+    let Evaluation { scene, mut diagnostics } = with_deep_stack(|| evaluate(world, &mut sources, main, options));
+    let scene = scene.map(|evaluated| Scene::lower(evaluated, &mut diagnostics));
+
+    let failed = diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
+    Compilation { sources, diagnostics, scene: if failed { None } else { scene } }
+}
+
+/// Runs `work` on a thread of its own whose stack fits the deepest program that the evaluator's limits allow.
+fn with_deep_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, work);
+        match thread.map(|thread| thread.join()) {
+            Ok(Ok(value)) => value,
+            Ok(Err(panic)) => resume_unwind(panic),
+            Err(error) => panic!("the system refuses a thread with a stack of {STACK_BYTES} bytes: {error}"),
+        }
+    })
+}
