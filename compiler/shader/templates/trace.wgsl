@@ -53,7 +53,10 @@ struct March {
 
 fn march_from(ray: Ray, start: f32, hit: vec2<f32>) -> March {
     let crossing = box_crossing(ray);
-    return March(ray, max(crossing.x, start), 0.0, 0.0, -1.0, crossing.y, hit, 0u);
+    let t = max(crossing.x, start);
+    // Where a ray enters the box it may meet a surface at once; where it leaves a surface, it must not.
+    let r = select(0.0, FAR, t > 0.0);
+    return March(ray, t, r, 0.0, -1.0, crossing.y, hit, 0u);
 }
 
 /// The k-th corner of a tetrahedron about the origin.
@@ -126,13 +129,13 @@ fn path(pixel: vec2<u32>, start: f32) -> vec4<f32> {
                 // An automatically relaxed step.
                 let R_side = side * R;
                 let z = ahead - march.t;
-                let apart = z > march.r + abs(R_side);
+                let near = march.hit.x + march.hit.y * ahead;
+                let apart = z > march.r + abs(R_side) && z > near;
                 let M = select(-1.0, (R_side - march.r) / z, z > 0.0);
                 march.m = select(mix(march.m, M, RELAXATION), -1.0, apart || z <= 0.0);
                 march.t = select(ahead, march.t, apart);
                 let before = march.r;
                 march.r = select(R_side, march.r, apart);
-                let near = march.hit.x + march.hit.y * march.t;
                 march.z = max(march.r * max(1.0, 2.0 / (1.0 - min(march.m, 0.6))), near);
                 march.steps += 1u;
 

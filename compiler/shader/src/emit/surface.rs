@@ -234,8 +234,11 @@ impl Scope<'_, '_> {
             .into_iter()
             .reduce(|sum, next| (self.sum(sum.0, next.0), self.sum(sum.1, next.1), self.sum(sum.2, next.2)));
         let Some((total, color, finish)) = sum else { unreachable!("a joint has operands") };
-        let color = self.builder.binary(BinaryOperator::Divide, color, total);
-        let finish = self.builder.binary(BinaryOperator::Divide, finish, total);
+        let one = self.builder.literal(1.0);
+        let share = self.builder.binary(BinaryOperator::Divide, one, total);
+        let share = self.name(share, "share");
+        let color = self.builder.binary(BinaryOperator::Multiply, color, share);
+        let finish = self.builder.binary(BinaryOperator::Multiply, finish, share);
         Look { color: self.name(color, "color"), finish: self.name(finish, "finish") }
     }
 
