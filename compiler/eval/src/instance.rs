@@ -8,7 +8,7 @@ use chiaro_syntax::tree::{Instance, ModuleDefinition, Name, Statement};
 use chiaro_syntax::{Diagnostic, Span};
 
 use crate::evaluator::{Call, Children, Evaluator, Halt, Result, Unit};
-use crate::geometry::{self, FacetVariables};
+use crate::geometry;
 use crate::plan::Plan;
 use crate::scope::{Scope, Specials};
 use crate::suggest;
@@ -194,7 +194,7 @@ impl<'t> Evaluator<'t> {
                 if let Some(definition) = plan.modules.get(name) {
                     return Ok(Some(UserModule { definition, scope: scope.clone(), unit: None }));
                 }
-                for file in &plan.uses {
+                for file in plan.uses.iter().rev() {
                     let used = self.used_plan(*file);
                     if let Some(definition) = used.modules.get(name) {
                         let unit = self.unit(*file)?;
@@ -211,11 +211,8 @@ impl<'t> Evaluator<'t> {
         let UserModule { definition, scope: defining, unit } = module;
         let name = &instance.name.node;
         let arguments = self.arguments(&instance.arguments, around)?;
-        let count = self.plan_id(&instance.children);
-        let count = self.plan(count).instances.len();
         self.set_specials(unit);
         self.modules.push(name.clone());
-        self.specials.set("$children".into(), Some(Value::number(count as f64)));
         self.specials.set("$parent_modules".into(), Some(Value::number(self.modules.len() as f64)));
         self.children.push(Children { statements: &instance.children, scope: around.clone() });
         self.calls.push(Call {
@@ -237,8 +234,12 @@ impl<'t> Evaluator<'t> {
         defining: &Rc<Scope>,
     ) -> Result<Vec<Built>> {
         let parameters = self.bind(&definition.name.node, &definition.parameters, arguments, defining)?;
+        let number = self.children.len() - 1;
+        let given = self.plan_id(self.children[number].statements);
+        let count = self.plan(given).instances.len();
+        parameters.set("$children".into(), Some(Value::number(count as f64)));
         let id = self.plan_id(&definition.body);
-        let scope = Rc::new(parameters.of_block(id).with_children(self.children.len() - 1));
+        let scope = Rc::new(parameters.of_block(id).with_children(number));
         let plan = self.plan(id);
         self.assignments(&plan, &scope)?;
         self.instances(&plan, &scope, None)
@@ -325,10 +326,10 @@ impl<'t> Evaluator<'t> {
         arguments: Vec<geometry::Argument>,
         children: Vec<Built>,
     ) -> Result<Built> {
-        let facets = self.facets()?;
+        let sides = self.sides()?;
         let depth = 1 + children.iter().map(|child| child.depth).max().unwrap_or(0);
         let children = children.into_iter().map(|child| child.solid).collect();
-        let call = geometry::Call { name, head: instance.head, arguments, facets, children };
+        let call = geometry::Call { name, head: instance.head, arguments, sides, children };
         let mut reports = Vec::new();
         let solid = geometry::build(call, &self.settings, &mut reports);
         reports.into_iter().for_each(|report| self.warn(report));
@@ -339,13 +340,13 @@ impl<'t> Evaluator<'t> {
         }
     }
 
-    fn facets(&self) -> Result<FacetVariables> {
-        let get = |name: &str| match self.specials.get(name) {
+    /// `$fn`, the number of sides of curves.
+    fn sides(&self) -> Result<Value> {
+        match self.specials.get("$fn") {
             Some(Some(value)) => Ok(value.clone()),
             Some(None) => Err(Halt::Reported),
             None => Ok(Value::Undef),
-        };
-        Ok(FacetVariables { number: get("$fn")?, angle: get("$fa")?, size: get("$fs")? })
+        }
     }
 
     fn unknown_module(&mut self, name: &Name, span: Span, scope: &Rc<Scope>) -> Halt {

@@ -10,6 +10,7 @@ use chiaro_syntax::{Diagnostic, Span};
 
 use super::instance::Instance;
 use super::{Argument, Stop, decide};
+use crate::suggest;
 use crate::value::Value;
 
 /// Parameters of OpenSCAD's that mean nothing here or only in old scenes. Dumps are full of them.
@@ -68,19 +69,12 @@ fn parameter_named(
     if found.is_none() && !name.starts_with('$') && !IGNORED.contains(&name) {
         let message = format!("`{module}` has no parameter `{name}`; the argument is ignored");
         let warning = Diagnostic::warning(span, message);
-        diagnostics.push(match nearest(name, parameters()) {
-            Some(near) => warning.with_hint(format!("did you mean `{near}`?")),
+        diagnostics.push(match suggest::hint(name, parameters()) {
+            Some(hint) => warning.with_hint(hint),
             None => warning,
         });
     }
     found
-}
-
-/// The candidate that was probably meant by a misspelt name.
-pub(super) fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let most = if name.chars().count() < 4 { 1 } else { 2 };
-    let distances = candidates.map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate));
-    distances.filter(|(distance, _)| *distance <= most).min().map(|(_, candidate)| candidate)
 }
 
 impl Instance<'_> {

@@ -5,10 +5,11 @@ mod names;
 use chiaro_solid::{Material, Scalar, Solid, SolidKind};
 use chiaro_syntax::Diagnostic;
 
-use super::arguments::{nearest, numbers};
+use super::arguments::numbers;
 use super::instance::{Instance, Module, error};
 use super::make::is_empty;
 use super::{Built, Stop, decide};
+use crate::suggest;
 use crate::value::Value;
 
 pub(super) const MODULES: &[Module] = &[Module {
@@ -45,7 +46,7 @@ fn read_color(instance: &mut Instance) -> Option<[Scalar; 4]> {
             let Some(color) = parse(name) else {
                 let warning =
                     Diagnostic::warning(span, format!("there is no colour \"{name}\", so that nothing is painted"));
-                let near = nearest(&name.to_lowercase(), names::NAMES.iter().map(|(name, _)| *name));
+                let near = suggest::nearest(&name.to_lowercase(), names::NAMES.iter().map(|(name, _)| *name));
                 instance.report(match near {
                     Some(near) => warning.with_hint(format!("did you mean \"{near}\"?")),
                     None => {

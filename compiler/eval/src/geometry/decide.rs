@@ -92,7 +92,8 @@ impl Instance<'_> {
             Sign::Positive => {}
         }
         if is_negative(&(most.clone() - radius.clone()), span, "whether rounded edges fit the shape")? {
-            let most = most.constant().map_or(String::new(), |most| format!(": at most {most}"));
+            let most =
+                most.constant().map_or(String::new(), |most| format!(": at most {}", (most * 1e6).floor() / 1e6));
             return Err(error(span, format!("edges of this radius do not fit the shape{most}")));
         }
         Ok(Some(radius))

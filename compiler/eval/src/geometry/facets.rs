@@ -28,7 +28,7 @@ const MOST_SIDES: f64 = 1000.0;
 impl Instance<'_> {
     /// The number of flat sides of a full turn, if a curve here is not a true curve.
     pub(super) fn sides(&mut self) -> Result<Option<u32>, Stop> {
-        let Value::Number(number) = &self.variables.number else { return Ok(None) };
+        let Value::Number(number) = &self.number_of_sides else { return Ok(None) };
         if self.facets == Facets::Smooth {
             return Ok(None);
         }

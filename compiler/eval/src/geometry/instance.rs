@@ -9,7 +9,8 @@ use super::arguments::{self, Bound};
 use super::booleans::union_of;
 use super::facets::Facets;
 use super::make::is_empty;
-use super::{Built, Call, FacetVariables, Stop};
+use super::{Built, Call, Stop};
+use crate::value::Value;
 
 /// One built-in module.
 pub(super) struct Module {
@@ -29,8 +30,8 @@ pub(super) struct Instance<'a> {
     pub(super) name: &'a str,
     /// Name and arguments in the text.
     pub(super) head: Span,
-    /// `$fn`, `$fa` and `$fs`.
-    pub(super) variables: FacetVariables,
+    /// `$fn`, the number of sides of curves.
+    pub(super) number_of_sides: Value,
     /// What `$fn` does.
     pub(super) facets: Facets,
     /// What the children came to.
@@ -52,7 +53,7 @@ impl<'a> Instance<'a> {
         Self {
             name: call.name,
             head: call.head,
-            variables: call.facets,
+            number_of_sides: call.sides,
             facets,
             children: call.children,
             arguments,

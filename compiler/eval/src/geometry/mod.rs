@@ -50,8 +50,8 @@ pub(crate) struct Call<'a> {
     pub(crate) head: Span,
     /// The arguments in order, each with its parameter's name if it was given, and its place.
     pub(crate) arguments: Vec<Argument>,
-    /// `$fn`, `$fa` and `$fs` as they are for this instance.
-    pub(crate) facets: FacetVariables,
+    /// `$fn` as it is for this instance: the number of sides of curves. (`$fa` and `$fs` never make facets.)
+    pub(crate) sides: Value,
     /// What the children came to, in order, the empty ones included (they count as operands).
     pub(crate) children: Vec<Arc<Solid>>,
 }
@@ -64,14 +64,6 @@ pub(crate) struct Argument {
     pub(crate) value: Value,
     /// Its value's place in the text.
     pub(crate) span: Span,
-}
-
-/// OpenSCAD's special variables for the resolution of curves.
-#[derive(Clone, Debug)]
-pub(crate) struct FacetVariables {
-    pub(crate) number: Value,
-    pub(crate) angle: Value,
-    pub(crate) size: Value,
 }
 
 /// Why there is no solid.

@@ -7,7 +7,7 @@ use chiaro_syntax::tree::{Element, Expression, ExpressionKind, Instance, Stateme
 use chiaro_syntax::{Diagnostic, Dialect, FileId, parse};
 use chiaro_vocabulary::Interval;
 
-use super::{Argument, Call, FacetVariables, Facets, Stop, build, union_of};
+use super::{Argument, Call, Facets, Stop, build, union_of};
 use crate::settings::Settings;
 use crate::value::Value;
 
@@ -62,12 +62,8 @@ fn instantiate(instance: &Instance, settings: &Settings, warnings: &mut Vec<Diag
     };
     let arguments: Vec<Argument> = instance.arguments.iter().map(argument).collect();
     let number = arguments.iter().find(|argument| argument.name.as_deref() == Some("$fn"));
-    let facets = FacetVariables {
-        number: number.map_or(Value::Undef, |argument| argument.value.clone()),
-        angle: Value::Undef,
-        size: Value::Undef,
-    };
-    let call = Call { name: &instance.name.node, head: instance.head, arguments, facets, children };
+    let sides = number.map_or(Value::Undef, |argument| argument.value.clone());
+    let call = Call { name: &instance.name.node, head: instance.head, arguments, sides, children };
     build(call, settings, warnings).unwrap_or_else(|| panic!("there is no module `{}`", instance.name.node))
 }
 
