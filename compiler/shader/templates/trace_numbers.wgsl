@@ -71,3 +71,9 @@ fn basis_across(n: vec3<f32>) -> mat3x3<f32> {
         n,
     );
 }
+
+/// A direction about n, by the cosine of the angle between.
+fn cosine_drawn(n: vec3<f32>, u: vec2<f32>) -> vec3<f32> {
+    let d = unit_disc(u);
+    return normalize(basis_across(n) * vec3<f32>(d, sqrt(max(1.0 - dot(d, d), 1e-4))));
+}

@@ -5,14 +5,14 @@
 
 /// The key light: how far it stands from the zenith and the front, its angular radius, and the irradiance that it
 /// gives a surface facing it.
-const KEY_DIRECTION: vec3<f32> = vec3<f32>(-0.52, -0.46, 0.72);
+const KEY_DIRECTION: vec3<f32> = vec3<f32>(-0.62, -0.36, 0.70);
 const KEY_RADIUS: f32 = 0.11;
-const KEY_IRRADIANCE: vec3<f32> = vec3<f32>(2.15, 2.02, 1.86);
+const KEY_IRRADIANCE: vec3<f32> = vec3<f32>(2.60, 2.45, 2.28);
 
 /// The sky's radiance overhead, level, and below.
-const SKY_ZENITH: vec3<f32> = vec3<f32>(0.50, 0.53, 0.57);
-const SKY_LEVEL: vec3<f32> = vec3<f32>(0.34, 0.35, 0.37);
-const SKY_NADIR: vec3<f32> = vec3<f32>(0.22, 0.21, 0.20);
+const SKY_ZENITH: vec3<f32> = vec3<f32>(0.46, 0.49, 0.53);
+const SKY_LEVEL: vec3<f32> = vec3<f32>(0.26, 0.27, 0.29);
+const SKY_NADIR: vec3<f32> = vec3<f32>(0.16, 0.155, 0.15);
 
 /// What the floor scatters, and the share of the key light in the light that reaches it.
 const FLOOR_ALBEDO: vec3<f32> = vec3<f32>(0.62, 0.61, 0.60);
@@ -64,8 +64,8 @@ fn ambient(n: vec3<f32>) -> vec3<f32> {
 /// What the camera sees behind everything, at a point of the picture from (−1, −1) to (1, 1) in its shorter half.
 fn backdrop(point: vec2<f32>) -> vec3<f32> {
     let from_centre = point - vec2<f32>(0.0, -0.15);
-    let falloff = 1.0 / (1.0 + 0.28 * dot(from_centre, from_centre));
-    return vec3<f32>(0.80, 0.815, 0.835) * falloff;
+    let falloff = 1.0 / (1.0 + 0.20 * dot(from_centre, from_centre));
+    return vec3<f32>(0.86, 0.87, 0.885) * falloff;
 }
 
 /// Draws a direction towards the key light.

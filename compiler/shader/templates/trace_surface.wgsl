@@ -83,10 +83,7 @@ fn scatter_drawn(x: Vertex, u: vec2<f32>, lobe: f32) -> Scattered {
     let body_share = max(x.body.x, max(x.body.y, x.body.z)) * (1.0 - interface_share);
     let p_interface = interface_share / max(interface_share + body_share, 1e-4);
     if lobe >= p_interface {
-        // The body: by the cosine.
-        let d = unit_disc(u);
-        let w = across * vec3<f32>(d, sqrt(max(1.0 - dot(d, d), 1e-4)));
-        return Scattered(normalize(w), (1.0 - F_v) * x.body / max(1.0 - p_interface, 1e-4), 1.0);
+        return Scattered(cosine_drawn(x.n, u), (1.0 - F_v) * x.body / max(1.0 - p_interface, 1e-4), 1.0);
     }
 
     // The interface: stretch the view, draw one of the normals that it sees, unstretch that.
