@@ -86,7 +86,7 @@ impl<'t> Evaluator<'t> {
                 if let Some(function) = plan.functions.get(&**name) {
                     return found(function, scope, None);
                 }
-                for file in &plan.uses {
+                for file in plan.uses.iter().rev() {
                     let used = self.used_plan(*file);
                     if let Some(function) = used.functions.get(&**name) {
                         let unit = self.unit(*file)?;

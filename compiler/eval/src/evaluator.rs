@@ -188,9 +188,9 @@ impl<'t> Evaluator<'t> {
         };
         let (name, site) = (call.name.clone(), call.site);
         let calls = self.calls.iter().filter(|call| call.name == name).count();
-        let message = format!("`{name}` calls itself without end");
+        let message = format!("the recursion of `{name}` goes too deep");
         let error = Diagnostic::error(site, message)
-            .with_label(format!("{calls} calls of `{name}` were under way here"))
+            .with_label(format!("{calls} calls of `{name}` are under way here"))
             .with_hint("a recursive definition needs a condition under which it does not call itself");
         self.abort(error)
     }

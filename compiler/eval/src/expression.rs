@@ -174,7 +174,7 @@ impl<'t> Evaluator<'t> {
     pub(crate) fn variable(&mut self, name: &Name, span: Span, scope: &Rc<Scope>) -> Result<Value> {
         match self.known_variable(name, span, scope)? {
             Some(value) => Ok(value),
-            None if Specials::is_special(name) => {
+            None if name.starts_with('$') => {
                 let hint = suggest::hint(name, self.specials.names().map(|name| &**name));
                 let mut warning = Diagnostic::warning(span, format!("nothing sets `{name}`, so this is undef"));
                 warning.hints.extend(hint);
@@ -325,11 +325,12 @@ impl<'t> Evaluator<'t> {
                 self.warn(Diagnostic::warning(binding.value.span, "this value gets no name"));
                 continue;
             };
-            if Specials::is_special(&name.node) {
-                self.specials.set(name.node.clone(), Some(value));
-            } else if inner.local(&name.node).is_some() {
+            let mut earlier = bindings.iter().map_while(|b| (!std::ptr::eq(b, binding)).then_some(b));
+            if earlier.any(|other| other.name.as_ref().is_some_and(|other| other.node == name.node)) {
                 let message = format!("`{}` has a value here already, which stays", name.node);
                 self.warn(Diagnostic::warning(name.span, message));
+            } else if Specials::is_special(&name.node) {
+                self.specials.set(name.node.clone(), Some(value));
             } else {
                 inner.set(name.node.clone(), Some(value));
             }
@@ -349,7 +350,8 @@ fn work(operator: BinaryOperator, a: &Value, b: &Value) -> u64 {
             x.weight().saturating_mul(columns).saturating_add(y.weight())
         }
         (Value::List(_), Value::List(_)) => a.weight().min(b.weight()),
-        _ => a.weight().max(b.weight()),
+        (Value::List(list), _) | (_, Value::List(list)) => list.weight(),
+        _ => 1,
     }
 }
 

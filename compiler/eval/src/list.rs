@@ -134,7 +134,7 @@ impl<'t> Evaluator<'t> {
             return self.charge(u64::from(range.len()), span);
         }
         let message = format!("this range has more than {limit} numbers");
-        Err(self.abort(Diagnostic::error(span, message)))
+        Err(self.error(Diagnostic::error(span, message)))
     }
 
     /// Whether a condition is true; a live one is demoted for that reason.
@@ -171,7 +171,7 @@ impl<'t> Evaluator<'t> {
 
     fn too_many_rounds(&mut self, span: Span) -> Halt {
         let message = format!("this loop runs more than {} times", self.options.limits.rounds);
-        self.abort(Diagnostic::error(span, message))
+        self.error(Diagnostic::error(span, message))
     }
 }
 

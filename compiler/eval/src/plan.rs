@@ -20,7 +20,7 @@ pub(crate) struct Plan<'t> {
     pub(crate) modules: FxHashMap<&'t str, &'t ModuleDefinition>,
     /// The instances, without those disabled by `*`.
     pub(crate) instances: Vec<&'t Instance>,
-    /// The files whose functions and modules are used.
+    /// The files whose functions and modules are used; of those that define one name, the last.
     pub(crate) uses: Vec<FileIndex>,
 }
 
@@ -84,7 +84,12 @@ impl<'t> Planner<'t, '_> {
 
     fn statement(&mut self, statement: &'t Statement) {
         match statement {
-            Statement::Use(path) => self.plan.uses.extend(self.library.linked(path.span.file, &path.node)),
+            Statement::Use(path) => {
+                if let Some(file) = self.library.linked(path.span.file, &path.node) {
+                    self.plan.uses.retain(|other| *other != file);
+                    self.plan.uses.push(file);
+                }
+            }
             Statement::Include(path) => {
                 let Some(file) = self.library.linked(path.span.file, &path.node) else { return };
                 let is_open = self.including.contains(&file) || self.library.files[file].id == path.span.file;

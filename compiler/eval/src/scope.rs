@@ -141,9 +141,9 @@ pub(crate) struct Specials {
 }
 
 impl Specials {
-    /// Whether that name is of such a variable.
+    /// Whether that name is of such a variable. The number of a module's children is known only in the module.
     pub(crate) fn is_special(name: &str) -> bool {
-        name.starts_with('$')
+        name.starts_with('$') && name != "$children"
     }
 
     /// The current value.

@@ -4,10 +4,10 @@
 pub(crate) fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
     let likeness = |other: &str| {
         let case_only = name.eq_ignore_ascii_case(other);
-        if case_only { 1.0 } else { strsim::damerau_levenshtein(name, other) as f64 }
+        if case_only { 0.5 } else { strsim::damerau_levenshtein(name, other) as f64 }
     };
-    // A third of the letters may differ; short names need one letter's room.
-    let tolerance = (name.chars().count() as f64 / 3.0).max(1.0);
+    // A third of the letters may differ; of very short names none, or every name would be like any other.
+    let tolerance = (name.chars().count() as f64 / 3.0).floor().max(0.5);
     let best = known
         .filter(|other| *other != name && other.len().abs_diff(name.len()) <= 4)
         .map(|other| (likeness(other), other))

@@ -176,17 +176,18 @@ impl Deref for List {
 }
 
 impl Range {
-    /// How many numbers it has. A step of zero or away from the end gives none; infinitely many count as `u32::MAX`.
+    /// How many numbers it has; infinitely many count as `u32::MAX`. A step away from the end gives none, and so does
+    /// a step of zero where there is nothing to step to.
     pub(crate) fn len(&self) -> u32 {
         let Range { start, step, end } = *self;
         if start.is_nan() || step.is_nan() || end.is_nan() {
             return 0;
         }
-        if start == end {
-            return if step.is_finite() { 1 } else { 0 };
-        }
-        if (step < 0.0 && start < end) || (step > 0.0 && start > end) {
+        if (step < 0.0 && start < end) || (step >= 0.0 && start > end) || (step == 0.0 && start == end) {
             return 0;
+        }
+        if start == end || step.is_infinite() {
+            return 1;
         }
         if step == 0.0 || start.is_infinite() || end.is_infinite() {
             return u32::MAX;

@@ -123,9 +123,11 @@ fn cross(evaluator: &mut Evaluator, call: &Invocation) -> Result<Value> {
     }
     let lists = (call.list(evaluator, 0), call.list(evaluator, 1));
     let (Some(a), Some(b)) = lists else { return Ok(Value::Undef) };
+    let is_finite = |number: &Scalar| number.constant().is_none_or(f64::is_finite);
+    let finite = |list: &List| vector(list).filter(|vector| vector.len() == 2 || vector.iter().all(is_finite));
     let minor =
         |a: &[Scalar], b: &[Scalar], i: usize, j: usize| a[i].clone() * b[j].clone() - a[j].clone() * b[i].clone();
-    match (vector(&a).as_deref(), vector(&b).as_deref()) {
+    match (finite(&a).as_deref(), finite(&b).as_deref()) {
         (Some(a), Some(b)) if a.len() == 2 && b.len() == 2 => Ok(Value::Number(minor(a, b, 0, 1))),
         (Some(a), Some(b)) if a.len() == 3 && b.len() == 3 => {
             let components = [minor(a, b, 1, 2), minor(a, b, 2, 0), minor(a, b, 0, 1)];

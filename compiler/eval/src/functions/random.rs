@@ -28,11 +28,13 @@ fn rands(evaluator: &mut Evaluator, call: &Invocation) -> Result<Value> {
         }
     }
     let [min, max, count, seed] = numbers;
-    if !(min.is_finite() && max.is_finite() && count.is_finite()) {
-        evaluator.warn(Diagnostic::warning(call.span, "`rands` takes finite numbers").with_label("this is undef"));
-        return Ok(Value::Undef);
+    if numbers[..3].iter().any(|number| !number.is_finite()) {
+        let message = "`rands` takes finite numbers; the largest there is stands for others, and 1 for their count";
+        evaluator.warn(Diagnostic::warning(call.span, message));
     }
-    let count = count.abs().trunc();
+    let min = if min.is_finite() { min } else { -f64::MAX / 2.0 };
+    let max = if max.is_finite() { max } else { f64::MAX / 2.0 };
+    let count = if count.is_finite() { count.abs().trunc() } else { 1.0 };
     if count > evaluator.options.limits.list_values as f64 {
         let message = format!("this makes more than {} random numbers", evaluator.options.limits.list_values);
         return Err(evaluator.abort(Diagnostic::error(call.span, message)));

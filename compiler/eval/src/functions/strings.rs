@@ -11,7 +11,9 @@ fn str(evaluator: &mut Evaluator, call: &Invocation) -> Result<Value> {
     let limit = evaluator.options.limits.string_bytes;
     let mut joined = String::new();
     for argument in &call.arguments {
-        evaluator.charge(argument.value.weight(), argument.span)?;
+        if let Value::List(list) = &argument.value {
+            evaluator.charge(list.weight(), argument.span)?;
+        }
         match text::plain(&argument.value, limit) {
             Ok(text) => joined.push_str(&text),
             Err(trouble) => return evaluator.or_undef(Err(trouble), argument.span),
@@ -73,6 +75,6 @@ fn ord(evaluator: &mut Evaluator, call: &Invocation) -> Result<Value> {
 
 fn string(evaluator: &mut Evaluator, call: &Invocation, text: String) -> Result<Value> {
     // Texts count by their bytes, so that a program can't fill the memory with them.
-    evaluator.charge(text.len() as u64 / 8, call.span)?;
+    evaluator.charge(text.len() as u64 / 64, call.span)?;
     evaluator.limited(Value::string(text), call.span)
 }

@@ -104,7 +104,11 @@ fn order(a: &Value, b: &Value, operator: BinaryOperator) -> Result<Option<Orderi
     }
 }
 
+/// Empty ranges come first; others go by start, step and count.
 fn order_ranges(a: &Range, b: &Range) -> Option<Ordering> {
-    let key = |range: &Range| [range.start, range.step, range.end];
-    key(a).partial_cmp(&key(b))
+    match (a.len(), b.len()) {
+        (0, n) => Some(0.cmp(&n)),
+        (_, 0) => Some(Ordering::Greater),
+        (m, n) => [a.start, a.step].partial_cmp(&[b.start, b.step]).map(|order| order.then(m.cmp(&n))),
+    }
 }

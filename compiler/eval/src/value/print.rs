@@ -124,9 +124,9 @@ fn element(e: &Element, text: &mut String) {
         Element::Loop { start, condition, next, body, .. } => {
             text.push_str("for(");
             separated(text, start, argument);
-            text.push_str(";");
+            text.push(';');
             expression(condition, text);
-            text.push_str(";");
+            text.push(';');
             separated(text, next, argument);
             text.push_str(") ");
             element(body, text);
