@@ -65,7 +65,7 @@ impl Region {
 
     /// Its area, in square millimetres.
     pub fn area(&self) -> f64 {
-        self.normalized().contours.iter().map(Contour::signed_area).sum()
+        self.normalized().contours.iter().map(Contour::signed_area).fold(0.0, |sum, area| sum + area)
     }
 
     /// Whether the bounding boxes meet.

@@ -18,6 +18,10 @@ impl Contour {
         let mut total = 0.0;
         let (mut left, mut right) = (false, false);
         for (edge, next) in self.edges.iter().zip(self.edges.iter().cycle().skip(1)) {
+            if corner_turn(edge, next).abs() > PI - STRAIGHT {
+                // It walks back on itself: there may be nothing inside.
+                return None;
+            }
             for turn in [edge.turn(), corner_turn(edge, next)] {
                 left |= turn > STRAIGHT;
                 right |= turn < -STRAIGHT;

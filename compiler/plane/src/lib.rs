@@ -2,6 +2,7 @@
 
 pub mod region;
 
+mod biarc;
 mod boolean;
 mod construct;
 mod contour;

@@ -51,8 +51,17 @@ impl Recovery<'_> {
             return Some(Contour { edges: vec![circle] });
         }
         let contour = Contour { edges: self.edges(&runs) };
-        let thickness = runs.iter().map(|run| self.curves[run.curve].sagitta()).fold(self.resolution, f64::max);
-        (contour.signed_area().abs() > 0.5 * thickness * contour.length()).then_some(contour)
+        let worth_keeping = contour.signed_area().abs() > self.area_in_doubt(&runs, contour.length());
+        worth_keeping.then_some(contour)
+    }
+
+    /// The area that a contour may owe to chords being off their arcs, and to rounding.
+    fn area_in_doubt(&self, runs: &[Run], length: f64) -> f64 {
+        let between_chords_and_arc = |run: &Run| match self.curves[run.curve] {
+            Curve::Line { .. } => 0.0,
+            Curve::Circle { radius, .. } => self.curves[run.curve].sagitta() * radius * run.turn.abs(),
+        };
+        runs.iter().map(between_chords_and_arc).sum::<f64>() + self.resolution * length
     }
 
     fn runs(&self, points: &[(Point, bool, usize)]) -> Vec<Run> {

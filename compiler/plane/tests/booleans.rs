@@ -42,9 +42,9 @@ proptest! {
         let both = Region::intersection(&[a.clone(), b.clone()]).area();
         let any = Region::union(&[a.clone(), b.clone()]).area();
         let sum = a.area() + b.area();
-        prop_assert!((any + both - sum).abs() < 1e-6 * sum, "{} {}", any + both, sum);
-        prop_assert!((any - both - a.xor(&b).area()).abs() < 1e-6 * sum);
-        prop_assert!((a.area() - both - a.difference(&[b]).area()).abs() < 1e-6 * sum);
+        prop_assert!((any + both - sum).abs() <= 1e-6 * sum, "{} {}", any + both, sum);
+        prop_assert!((any - both - a.xor(&b).area()).abs() <= 1e-6 * sum);
+        prop_assert!((a.area() - both - a.difference(&[b]).area()).abs() <= 1e-6 * sum);
     }
 }
 
