@@ -1,6 +1,6 @@
 //! How long emission and splicing take, which is part of the time from an edit to the picture.
 
-use chiaro_field::{Facts, Graph, Node, NodeId, Point, PointId, graph::Operation};
+use chiaro_field::{Facts, Graph, Node, NodeId, Operation, Point, PointId};
 use chiaro_shader::{Template, splice, wgsl};
 use chiaro_solid::{Affine, Scalar};
 use chiaro_vocabulary::rows::{BOX, SPHERE};

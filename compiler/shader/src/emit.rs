@@ -7,6 +7,7 @@
 
 mod blend;
 mod numbers;
+mod paints;
 mod parts;
 mod pieces;
 mod points;
@@ -72,7 +73,7 @@ struct Emission<'g> {
     point_names: FxHashMap<PointId, String>,
     numbers: numbers::Numbers<'g>,
     parts: parts::Parts,
-    paints: surface::Paints,
+    paints: paints::Paints,
     tables: TablesBuilder,
     tables_variable: Option<Handle<GlobalVariable>>,
     /// How many pieces of outlines and polytopes have become straight-line code.
@@ -97,7 +98,7 @@ impl<'g> Emission<'g> {
             point_names: FxHashMap::default(),
             numbers: numbers::Numbers::new(graph),
             parts: parts::Parts::new(graph),
-            paints: surface::Paints::new(graph),
+            paints: paints::Paints::new(graph),
             tables: TablesBuilder::default(),
             tables_variable: None,
             unrolled: 0,
@@ -148,6 +149,8 @@ struct Scope<'e, 'g> {
     distances: FxHashMap<NodeId, Value>,
     /// Live numbers by slot.
     live: FxHashMap<usize, Value>,
+    /// How nodes look, depending on how they look where nobody painted them.
+    appearances: FxHashMap<(NodeId, surface::Appearance), surface::Appearance>,
     /// The colours and finishes of materials.
     colors: FxHashMap<[Scalar; 4], Value>,
     finishes: FxHashMap<[Scalar; 4], Value>,
@@ -162,6 +165,7 @@ impl<'e, 'g> Scope<'e, 'g> {
             points: FxHashMap::default(),
             distances: FxHashMap::default(),
             live: FxHashMap::default(),
+            appearances: FxHashMap::default(),
             colors: FxHashMap::default(),
             finishes: FxHashMap::default(),
         }

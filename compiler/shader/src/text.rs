@@ -30,48 +30,54 @@ pub fn wgsl(graph: &Graph) -> Result<String, Diagnostic> {
 }
 
 /// A declaration of a WGSL text, with the comment above it.
-struct Declaration<'s> {
-    name: &'s str,
-    text: &'s str,
+struct Declaration {
+    is_function: bool,
+    name: &'static str,
+    text: &'static str,
 }
 
 /// The declarations of the vocabulary and of `scene.wgsl` that the scene reaches, in their order.
-fn called(emitted: &Emitted, own: &str) -> Vec<Declaration<'static>> {
-    let module = &emitted.module;
-    let functions: FxHashSet<&str> = (module.functions.iter())
+fn called(emitted: &Emitted, own: &str) -> Vec<Declaration> {
+    let functions: FxHashSet<&str> = (emitted.module.functions.iter())
         .filter(|(handle, _)| !emitted.functions.contains(handle))
         .filter_map(|(_, function)| function.name.as_deref())
         .collect();
+    let mut mentioned: FxHashSet<&str> = words(own).collect();
+    let mut called = Vec::new();
+    // Constants and types stand above those who mention them.
     let all: Vec<Declaration> = declarations(chiaro_vocabulary::source()).chain(declarations(SCENE)).collect();
-    let texts = all.iter().filter(|declaration| functions.contains(declaration.name)).map(|own| own.text);
-    let words: FxHashSet<&str> = texts.chain([own]).flat_map(words).collect();
-    let is_scene = |name: &str| name == "scene_distance" || name == "scene_surface";
-    all.into_iter()
-        .filter(|declaration| words.contains(declaration.name) && !is_scene(declaration.name))
-        .filter(|declaration| !declaration.text.contains("\nfn ") || functions.contains(declaration.name))
-        .collect()
+    for declaration in all.into_iter().rev() {
+        let names = if declaration.is_function { &functions } else { &mentioned };
+        if names.contains(declaration.name) {
+            mentioned.extend(words(declaration.text));
+            called.push(declaration);
+        }
+    }
+    called.reverse();
+    called
 }
 
-/// The top-level declarations of a text that starts each one, and only them, with its keyword in the first column.
-fn declarations(text: &'static str) -> impl Iterator<Item = Declaration<'static>> {
-    let mut start = 0;
-    let mut end = 0;
-    let mut name = None;
+/// The declarations of a text whose top-level declarations, and nothing else, start with a keyword in the first
+/// column.
+fn declarations(text: &'static str) -> impl Iterator<Item = Declaration> {
+    let (mut start, mut end) = (0, 0);
+    let mut open: Option<(&str, &str)> = None;
     text.split_inclusive('\n').filter_map(move |line| {
         end += line.len();
-        let keyword = ["fn ", "const ", "struct "].into_iter().find_map(|keyword| line.strip_prefix(keyword));
-        if let Some(rest) = keyword {
-            name = words(rest).next();
+        if let Some((keyword @ ("fn" | "const" | "struct"), rest)) = line.split_once(' ') {
+            open = words(rest).next().map(|name| (keyword, name));
         }
-        let closes = line.starts_with('}') || (line.starts_with("const ") && line.trim_end().ends_with(';'));
-        if line.trim().is_empty() {
-            start = if name.is_none() { end } else { start };
+        let Some((keyword, name)) = open else {
+            // A blank line parts a comment from what follows.
+            start = if line.trim().is_empty() { end } else { start };
             return None;
-        }
+        };
+        let closes = line.starts_with('}') || keyword == "const";
         if !closes {
             return None;
         }
-        let declaration = Declaration { name: name.take()?, text: &text[start..end] };
+        open = None;
+        let declaration = Declaration { is_function: keyword == "fn", name, text: &text[start..end] };
         start = end;
         Some(declaration)
     })

@@ -1,16 +1,12 @@
 //! Booleans: sharp ones are chains of minima or maxima, joints the formula of the vocabulary.
 
-use chiaro_field::{NodeId, graph::Operation};
+use chiaro_field::{NodeId, Operation};
 use chiaro_solid::{Joint, Profile};
-use chiaro_vocabulary::rows::{JOINT_CHAMFER, JOINT_FILLET, JOINT_SMOOTH, JOINT_STEP, JOINT_TERM};
+use chiaro_vocabulary::rows::{JOINT_CHAMFER, JOINT_FILLET, JOINT_SMOOTH, JOINT_STEP, JOINT_TERM, joint_steps};
 use naga::MathFunction;
 
 use super::Scope;
 use crate::build::Value;
-
-/// Steps of Newton's method for a joint of three operands or more. From the minimum the error of n operands falls
-/// at least by (1 − 1/p) each step, and then quadratically.
-const JOINT_STEPS: usize = 6;
 
 /// A chain gets a name this often, since printed expressions must not nest deeply.
 const NAMED_EVERY: usize = 8;
@@ -99,7 +95,7 @@ impl Scope<'_, '_> {
         let least = self.chain(Operation::Union, distances);
         let least = self.name(least, "least");
         let zero = self.builder.literal(0.0);
-        (0..JOINT_STEPS).fold(least, |x, _| {
+        (0..joint_steps(distances.len())).fold(least, |x, _| {
             let start = self.builder.vector(&[zero, zero]);
             let state = distances.iter().fold(start, |state, &distance| {
                 let state = self.call(&JOINT_TERM, &[state, distance, x, radius, exponent]);

@@ -4,7 +4,7 @@
 //! functions of their own, some at a time; and a large node that several others refer to is one function, so that
 //! what they share isn't copied into each.
 
-use chiaro_field::{Graph, Node, NodeId, graph::Operation};
+use chiaro_field::{Graph, NodeId, Operation};
 use naga::{Function, Handle};
 use rustc_hash::FxHashMap;
 
@@ -32,7 +32,7 @@ impl Parts {
         let mut uses = vec![0; graph.nodes.len()];
         for node in &graph.nodes {
             let mut weight = 1_u32;
-            for child in children(node) {
+            for child in node.children() {
                 weight = weight.saturating_add(weights[child.0 as usize]);
                 uses[child.0 as usize] += 1;
             }
@@ -79,20 +79,6 @@ impl Parts {
             }
         }
         chunks
-    }
-}
-
-/// The nodes a node refers to.
-pub(super) fn children(node: &Node) -> &[NodeId] {
-    match node {
-        Node::Nothing | Node::Shape(..) | Node::Outline(..) | Node::Polytope(..) => &[],
-        Node::Boolean(_, _, children) => children,
-        Node::Negate(child)
-        | Node::Adjust(_, _, child)
-        | Node::Extrude(_, child, _)
-        | Node::Taper(_, _, child, _)
-        | Node::Confine(_, _, child, _)
-        | Node::Paint(_, child) => std::slice::from_ref(child),
     }
 }
 

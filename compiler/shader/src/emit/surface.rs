@@ -4,108 +4,27 @@
 //! the weights of the joint's formula. A complement that nobody painted looks like what it is cut from. Distances are
 //! evaluated only where materials differ.
 
-use chiaro_field::{Graph, Node, NodeId, graph::Operation};
+use chiaro_field::{Node, NodeId, Operation};
 use chiaro_solid::{Joint, Material, Scalar};
 use chiaro_vocabulary::rows::JOINT_WEIGHT;
 use naga::{BinaryOperator, Handle, Type};
 use rustc_hash::FxHashMap;
 
-use super::{Scope, blend::Joined, parts::children};
+use super::Scope;
+use super::blend::Joined;
+use super::paints::{PaintId, Painted, is_cut};
 use crate::build::Value;
 
-/// The number of a material, equal ones counted once.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct PaintId(usize);
-
-/// Who painted a node.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Painted {
-    /// Nobody: it looks as its surroundings say.
-    Nobody,
-    /// All of it has one material.
-    Once(PaintId),
-    /// Several materials.
-    Variously,
-}
-
-/// The materials of a scene.
-pub(super) struct Paints {
-    materials: Vec<Material>,
-    /// The paint of each of the graph's materials.
-    paints: Vec<PaintId>,
-    painted: Vec<Painted>,
-}
-
-impl Paints {
-    pub(super) fn new(graph: &Graph) -> Self {
-        let mut materials = vec![Material::default()];
-        let mut known = FxHashMap::default();
-        let paints: Vec<PaintId> = (graph.materials.iter())
-            .map(|material| {
-                *known.entry(numbers(material)).or_insert_with(|| {
-                    materials.push(material.clone());
-                    PaintId(materials.len() - 1)
-                })
-            })
-            .collect();
-        let mut painted: Vec<Painted> = Vec::with_capacity(graph.nodes.len());
-        for node in &graph.nodes {
-            let of_node = match node {
-                Node::Paint(material, _) => Painted::Once(paints[material.0 as usize]),
-                Node::Boolean(operation, _, children) => painted_together(graph, &painted, *operation, children),
-                _ => children(node).first().map_or(Painted::Nobody, |child| painted[child.0 as usize]),
-            };
-            painted.push(of_node);
-        }
-        Self { materials, paints, painted }
-    }
-
-    /// Who painted the node.
-    pub(super) fn painted(&self, id: NodeId) -> Painted {
-        self.painted[id.0 as usize]
-    }
-}
-
-/// Everything a material consists of, to compare it by.
-fn numbers(material: &Material) -> [Scalar; 7] {
-    let Material { color: [red, green, blue, opacity], roughness, metallic, emission } = material.clone();
-    [red, green, blue, opacity, roughness, metallic, emission]
-}
-
-fn painted_together(graph: &Graph, painted: &[Painted], operation: Operation, children: &[NodeId]) -> Painted {
-    let mut cut = Painted::Nobody;
-    let mut together = None;
-    for child in children {
-        let mut own = painted[child.0 as usize];
-        if is_cut(graph, operation, *child) {
-            own = if own == Painted::Nobody { cut } else { own };
-        } else {
-            cut = own;
-        }
-        together = match together {
-            None => Some(own),
-            Some(same) if same == own => together,
-            Some(_) => Some(Painted::Variously),
-        };
-    }
-    together.unwrap_or(Painted::Nobody)
-}
-
-/// Whether the child of such a Boolean takes something away.
-fn is_cut(graph: &Graph, operation: Operation, child: NodeId) -> bool {
-    operation == Operation::Intersection && matches!(graph.nodes[child.0 as usize], Node::Negate(_))
-}
-
 /// A look that is not evaluated yet, or is.
-#[derive(Clone, Copy, PartialEq)]
-enum Appearance {
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Appearance {
     Paint(PaintId),
     Evaluated(Look),
 }
 
 /// The components of a surface.
-#[derive(Clone, Copy, PartialEq)]
-struct Look {
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) struct Look {
     color: Value,
     finish: Value,
 }
@@ -119,7 +38,7 @@ struct Alike {
 impl Scope<'_, '_> {
     /// The surface of the whole scene.
     pub(super) fn surface(&mut self, root: NodeId, ty: Handle<Type>) -> Value {
-        let appearance = self.appearance(root, Appearance::Paint(PaintId(0)));
+        let appearance = self.appearance(root, Appearance::Paint(PaintId::UNPAINTED));
         let Look { color, finish } = self.look(appearance);
         self.builder.compose(ty, &[color, finish])
     }
@@ -131,9 +50,17 @@ impl Scope<'_, '_> {
             Painted::Once(paint) => return Appearance::Paint(paint),
             Painted::Variously => {}
         }
+        if let Some(&known) = self.appearances.get(&(id, unpainted)) {
+            return known;
+        }
+        let appearance = self.evaluated_appearance(id, unpainted);
+        self.appearances.insert((id, unpainted), appearance);
+        appearance
+    }
+
+    fn evaluated_appearance(&mut self, id: NodeId, unpainted: Appearance) -> Appearance {
         let graph = self.emission.graph;
         match &graph.nodes[id.0 as usize] {
-            Node::Paint(material, _) => Appearance::Paint(self.emission.paints.paints[material.0 as usize]),
             Node::Boolean(operation, joint, operands) => {
                 let alike = self.alike(*operation, operands, unpainted);
                 match (&alike[..], joint) {
@@ -142,7 +69,7 @@ impl Scope<'_, '_> {
                     (_, Some(joint)) => Appearance::Evaluated(self.blended(*operation, joint, operands, &alike)),
                 }
             }
-            node => match children(node) {
+            node => match node.children() {
                 [child, ..] => self.appearance(*child, unpainted),
                 [] => unpainted,
             },
@@ -266,7 +193,7 @@ impl Scope<'_, '_> {
         match appearance {
             Appearance::Evaluated(look) => look,
             Appearance::Paint(paint) => {
-                let material = self.emission.paints.materials[paint.0].clone();
+                let material = self.emission.paints.material(paint).clone();
                 Look { color: self.color(&material), finish: self.finish_of(&material) }
             }
         }

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use chiaro_field::{Facts, Graph, MaterialId, Node, NodeId, Point, PointId, graph::Operation};
+use chiaro_field::{Evaluator, Facts, Graph, MaterialId, Node, NodeId, Operation, Point, PointId};
 use chiaro_plane::{Contour, Edge, Region};
 use chiaro_shader::{MAX_NODES, Template, splice, wgsl};
 use chiaro_solid::{Affine, Joint, Material, ParameterId, Profile, Scalar};
@@ -85,6 +85,7 @@ struct Checked {
     parsed: naga::Module,
     bound: HashMap<&'static str, Vec<[f32; 4]>>,
     text: String,
+    evaluator: Evaluator,
 }
 
 /// Splices into every template and validates the modules; prints, parses and validates the text.
@@ -100,7 +101,8 @@ fn checked(graph: &Graph, live: &[f32]) -> Checked {
     validate(&parsed, &text);
     let quads = live.chunks(4).map(|quad| std::array::from_fn(|i| quad.get(i).copied().unwrap_or(0.0)));
     let bound = HashMap::from([("live", quads.collect()), ("tables", shader.tables.rows)]);
-    Checked { module: shader.module, parsed, bound, text }
+    let parameters: Vec<f64> = live.iter().copied().map(f64::from).collect();
+    Checked { module: shader.module, parsed, bound, text, evaluator: Evaluator::new(graph, &parameters) }
 }
 
 fn validate(module: &naga::Module, text: &str) {
@@ -119,8 +121,11 @@ impl Checked {
         emitted
     }
 
+    /// The distance, which the field's evaluator agrees about.
     fn distance(&self, p: [f64; 3]) -> f64 {
-        self.run("scene_distance", p)[0]
+        let distance = self.run("scene_distance", p)[0];
+        assert_close(distance, self.evaluator.distance(p));
+        distance
     }
 
     /// Linear red, green and blue.
@@ -460,5 +465,35 @@ fn nothing_and_the_infinite_are_finite() {
     assert_close(checked(&scene.done(), &[]).distance([0.0; 3]), 1e15);
     let mut scene = Scene::new();
     scene.shape("sphere", &[f64::INFINITY], PointId(0));
-    assert_close(checked(&scene.done(), &[]).distance([0.0; 3]), -1e18);
+    assert_close(checked(&scene.done(), &[]).run("scene_distance", [0.0; 3])[0], -1e18);
+}
+
+#[test]
+fn deep_scenes_do_not_exhaust_the_stack() {
+    let mut scene = Scene::new();
+    let mut tower = scene.shape("sphere", &[1.0], PointId(0));
+    for level in 0..1000 {
+        let ball = scene.shape("sphere", &[f64::from(level)], PointId(0));
+        let painted = scene.painted(RED, ball);
+        let joint = Joint { profile: Profile::Fillet, radius: Scalar::from(1.0) };
+        tower = scene.add(Node::Boolean(Operation::Union, Some(joint), vec![tower, painted]));
+        tower = scene.add(Node::Negate(tower));
+    }
+    assert!(splice(&scene.done(), Template::Trace).is_ok());
+}
+
+#[test]
+fn what_is_shared_is_evaluated_once() {
+    let mut scene = Scene::new();
+    let ball = scene.shape("sphere", &[1.0], PointId(0));
+    let cube = scene.shape("box", &[1.0, 2.0, 3.0], PointId(0));
+    let red = scene.painted(RED, ball);
+    let mut tower = scene.union(vec![red, cube]);
+    for level in 0..60 {
+        let slabs = [1.0, 2.0].map(|side| scene.shape("box", &[side, f64::from(level), 9.0], PointId(0)));
+        let cut = slabs.map(|slab| scene.add(Node::Boolean(Operation::Intersection, None, vec![tower, slab])));
+        tower = scene.union(cut.to_vec());
+    }
+    let checked = checked(&scene.done(), &[]);
+    assert!(checked.text.len() < 100_000, "{}", checked.text.len());
 }
