@@ -1,6 +1,8 @@
 //! Lowers a solid tree to a field graph with sound facts, and evaluates it on the CPU.
 
+mod at;
 mod build;
+pub mod evaluate;
 mod extent;
 pub mod facts;
 pub mod graph;
@@ -9,6 +11,7 @@ mod lower;
 mod matrix;
 mod walk;
 
+pub use evaluate::Evaluator;
 pub use facts::Facts;
 pub use graph::{Graph, MaterialId, Node, NodeId, Operation, Point, PointId};
 pub use lower::lower;
