@@ -116,7 +116,7 @@ mod tests {
     fn assert_closed(region: &Region) {
         for contour in &region.contours {
             for (edge, next) in contour.edges.iter().zip(contour.edges.iter().cycle().skip(1)) {
-                assert!(distance(edge.end(), next.start()) < 1e-12 * (1.0 + region.diagonal()), "{edge:?} {next:?}");
+                assert!(distance(edge.end(), next.start()) < 1e-11 * (1.0 + region.diagonal()), "{edge:?} {next:?}");
             }
         }
     }
