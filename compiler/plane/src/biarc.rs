@@ -3,6 +3,10 @@
 use crate::contour::unit;
 use crate::region::{Edge, Point, add, cross, dot, scale, sub};
 
+/// An arc whose chord leaves it at a smaller angle, in radians, becomes a line: it strays from the chord by less than
+/// its length divided by 400,000, while the ends of an arc about a centre so far away would be inexact.
+const STRAIGHT: f64 = 1e-5;
+
 /// How often a piece of a curve is halved at most.
 const MAX_DEPTH: u32 = 10;
 
@@ -57,7 +61,7 @@ fn arc(from: Point, direction: Point, to: Point) -> Edge {
     let sine = cross(direction, unit(way));
     let curvature = 2.0 * sine / way[0].hypot(way[1]);
     let radius = 1.0 / curvature;
-    if sine.abs() < 1e-9 || !radius.is_finite() {
+    if sine.abs() < STRAIGHT || !radius.is_finite() {
         return Edge::Line { from, to };
     }
     let center = add(from, scale([-direction[1], direction[0]], radius));
