@@ -1,14 +1,18 @@
-//! Minkowski sums: of balls and one other operand, of rectangles, and of upright prisms.
+//! Minkowski sums: of plane shapes, of balls and one other operand, of upright prisms, and of convex solids that are
+//! hulls of balls.
 
 use std::sync::Arc;
 
 use chiaro_solid::{Dimension, Scalar, Solid};
-use chiaro_syntax::{Diagnostic, Span};
+use chiaro_syntax::Span;
 use chiaro_vocabulary::rows;
 
-use super::instance::{Instance, Module};
-use super::make::{empty, moved, prism, shape};
+use super::balls::Balls;
+use super::convexity::is_convex;
+use super::instance::{Instance, Module, error};
+use super::make::{empty, moved, prism, region, shape};
 use super::offsets::grown;
+use super::outline::outline;
 use super::pieces::{Ball, Prism, Rectangle};
 use super::{Built, Stop};
 
@@ -41,44 +45,56 @@ fn sum(operands: Vec<Arc<Solid>>, span: Span, others_sum: fn(Vec<Arc<Solid>>, Sp
     Ok(moved(ball.center, grown, span))
 }
 
-/// The sum of plane shapes: of one, or of rectangles along the axes.
+/// The sum of plane shapes, of which none is a disc.
 fn plane_sum(operands: Vec<Arc<Solid>>, span: Span) -> Built {
     if let [only] = operands.as_slice() {
         return Ok(only.clone());
     }
-    let mut half = [Scalar::ZERO, Scalar::ZERO];
-    let mut center = half.clone();
-    for operand in &operands {
-        let Some(rectangle) = Rectangle::of(operand) else { return Err(no_sum(operand, span)) };
-        for axis in 0..2 {
-            half[axis] = half[axis].clone() + rectangle.half[axis].clone();
-            center[axis] = center[axis].clone() + rectangle.center[axis].clone();
-        }
+    if let Some(rectangles) = operands.iter().map(|operand| Rectangle::of(operand)).collect::<Option<Vec<_>>>() {
+        return Ok(rectangle_sum(&rectangles, span));
     }
-    let [x, y] = center;
-    Ok(moved([x, y, Scalar::ZERO], shape(&rows::RECTANGLE, half, span), span))
+    let outlines = operands.iter().map(|operand| outline(operand)).collect::<Result<Vec<_>, Stop>>()?;
+    let sum = outlines.into_iter().map(Some).reduce(|sum, next| sum?.minkowski(&next?));
+    match sum.flatten() {
+        Some(sum) => Ok(region(sum, span)),
+        None => Err(error(span, "these outlines have too many edges for their Minkowski sum")),
+    }
 }
 
-/// The sum of solids: of one, or of upright prisms, whose plane shapes and heights add up.
+fn rectangle_sum(rectangles: &[Rectangle], span: Span) -> Arc<Solid> {
+    let total = |number: fn(&Rectangle) -> &[Scalar; 2], axis: usize| {
+        rectangles.iter().fold(Scalar::ZERO, |sum, rectangle| sum + number(rectangle)[axis].clone())
+    };
+    let half = [0, 1].map(|axis| total(|rectangle| &rectangle.half, axis));
+    let [x, y] = [0, 1].map(|axis| total(|rectangle| &rectangle.center, axis));
+    moved([x, y, Scalar::ZERO], shape(&rows::RECTANGLE, half, span), span)
+}
+
+/// The sum of solids, of which none is a ball.
 fn space_sum(operands: Vec<Arc<Solid>>, span: Span) -> Built {
     if let [only] = operands.as_slice() {
         return Ok(only.clone());
     }
-    let mut bases = Vec::new();
-    let (mut bottom, mut height) = (Scalar::ZERO, Scalar::ZERO);
-    for operand in &operands {
-        let Some(prism) = Prism::of(operand) else { return Err(no_sum(operand, span)) };
-        bases.push(prism.base);
-        bottom = bottom + prism.bottom;
-        height = height + prism.height;
+    if let Some(prisms) = operands.iter().map(Prism::of).collect::<Option<Vec<_>>>() {
+        return prism_sum(prisms, span);
     }
-    let base = sum(bases, span, plane_sum)?;
-    Ok(moved([Scalar::ZERO, Scalar::ZERO, bottom], prism(height, base, span), span))
+    if let Some(hollow) = operands.iter().find(|operand| !is_convex(operand)) {
+        let message = "the sum of solids that are not known to be convex is not supported yet, except with balls";
+        return Err(super::balls::refused(span, message, hollow));
+    }
+    let mut sum = Balls::default();
+    for operand in &operands {
+        let mut balls = Balls::default();
+        balls.add(operand, span)?;
+        sum = if sum.is_empty() { balls } else { sum.plus(&balls, span)? };
+    }
+    sum.hull(span)
 }
 
-fn no_sum(operand: &Solid, span: Span) -> Stop {
-    let diagnostic = Diagnostic::error(span, "the Minkowski sum of these operands is not supported yet")
-        .with_related(operand.span, "of this, only sums with balls or discs are")
-        .with_hint("it can be made of balls and one other operand, and of boxes and upright prisms and cylinders");
-    Stop::Error(Box::new(diagnostic))
+/// The sum of upright prisms: their plane shapes and their heights add up.
+fn prism_sum(prisms: Vec<Prism>, span: Span) -> Built {
+    let bottom = prisms.iter().fold(Scalar::ZERO, |sum, prism| sum + prism.bottom.clone());
+    let height = prisms.iter().fold(Scalar::ZERO, |sum, prism| sum + prism.height.clone());
+    let base = sum(prisms.into_iter().map(|prism| prism.base).collect(), span, plane_sum)?;
+    Ok(moved([Scalar::ZERO, Scalar::ZERO, bottom], prism(height, base, span), span))
 }

@@ -4,8 +4,10 @@
 //! function from an [`Instance`] to a solid, and one row in the table of its file.
 
 mod arguments;
+mod balls;
 mod booleans;
 mod colors;
+mod convexity;
 mod decide;
 mod exactness;
 mod extent;
@@ -20,6 +22,7 @@ mod offsets;
 mod outline;
 mod pieces;
 mod planes;
+mod polyhedra;
 mod resize;
 mod solids;
 #[cfg(test)]
@@ -90,9 +93,10 @@ pub(crate) struct Demotion {
 type Built = Result<Arc<Solid>, Stop>;
 
 /// The tables of all files, in the order in which names are looked up.
-const TABLES: [&[Module]; 11] = [
+const TABLES: [&[Module]; 12] = [
     solids::MODULES,
     planes::MODULES,
+    polyhedra::MODULES,
     transforms::MODULES,
     booleans::MODULES,
     extrusions::MODULES,

@@ -12,6 +12,9 @@ use super::{Built, Call, Facets, Stop};
 /// Which parameters of which shapes have to be less than which others.
 const LESS: [(&str, &str, &str); 2] = [("ring", "inner", "outer"), ("star", "inner", "outer")];
 
+/// The most points of a star: its outline has as many corners.
+const MOST_POINTS: f64 = 1000.0;
+
 /// The names of these modules.
 pub(super) fn names() -> impl Iterator<Item = &'static str> {
     modules().map(|row| row.name)
@@ -49,6 +52,7 @@ fn instantiate(row: &'static Row, instance: &mut Instance) -> Built {
     for parameter in row.parameters {
         check(row, parameter, &arguments, instance.place(parameter.name))?;
     }
+    turn_anticlockwise(row, &mut arguments, instance)?;
     Ok(shape(row, arguments, instance.head))
 }
 
@@ -86,15 +90,15 @@ fn direction(vector: Vec<Scalar>, span: Span) -> Result<Vec<Scalar>, Stop> {
 /// What shapes ask of single parameters beyond their units.
 fn check(row: &Row, parameter: &Parameter, arguments: &[Scalar], span: Span) -> Result<(), Stop> {
     let name = parameter.name;
-    let argument = |name: &str| {
-        let before = row.parameters.iter().take_while(|parameter| parameter.name != name);
-        arguments[before.map(|parameter| parameter.ty.len()).sum::<usize>()].clone()
-    };
+    let argument = |name: &str| position(row, name).map_or(Scalar::ZERO, |at| arguments[at].clone());
     if name == "n" {
         let number = argument(name);
         let fractional = number.constant().is_some_and(|n| n.fract() != 0.0);
-        if fractional || decide::is_negative(&(number - Scalar::from(2.0)), span, "a number of points")? {
-            return Err(error(span, "`n` has to be a whole number, 2 or more"));
+        let reason = "a number of points";
+        let too_few = decide::is_negative(&(number.clone() - Scalar::from(2.0)), span, reason)?;
+        let too_many = decide::is_negative(&(Scalar::from(MOST_POINTS) - number), span, reason)?;
+        if fractional || too_few || too_many {
+            return Err(error(span, format!("`n` has to be a whole number from 2 to {MOST_POINTS}")));
         }
     }
     if let Some((_, _, greater)) = LESS.iter().find(|(shape, less, _)| (*shape, *less) == (row.name, name)) {
@@ -104,4 +108,20 @@ fn check(row: &Row, parameter: &Parameter, arguments: &[Scalar], span: Span) -> 
         }
     }
     Ok(())
+}
+
+/// A sweep that goes clockwise is one that goes anticlockwise from where it ended.
+fn turn_anticlockwise(row: &Row, arguments: &mut [Scalar], instance: &Instance) -> Result<(), Stop> {
+    let (Some(start), Some(sweep)) = (position(row, "start"), position(row, "sweep")) else { return Ok(()) };
+    if decide::is_negative(&arguments[sweep], instance.place("sweep"), "which way an arc goes")? {
+        arguments[start] = arguments[start].clone() + arguments[sweep].clone();
+        arguments[sweep] = -arguments[sweep].clone();
+    }
+    Ok(())
+}
+
+/// Where a parameter's first component is among the flattened arguments.
+fn position(row: &Row, name: &str) -> Option<usize> {
+    let index = row.parameters.iter().position(|parameter| parameter.name == name)?;
+    Some(row.parameters[..index].iter().map(|parameter| parameter.ty.len()).sum())
 }

@@ -2,7 +2,7 @@
 //! holes. An outline has no live numbers.
 
 use chiaro_plane::region::Point;
-use chiaro_plane::{Contour, Join, Region};
+use chiaro_plane::{Contour, Edge, Join, Region};
 use chiaro_solid::{Affine, Boolean, Scalar, Solid, SolidKind};
 use chiaro_syntax::Span;
 use chiaro_vocabulary::Row;
@@ -64,6 +64,15 @@ fn shape_outline(row: &Row, arguments: &[f64], span: Span) -> Result<Region, Sto
         ("ngon", [radius, sides]) => Ok(Region::ngon(*radius, *sides as u32)),
         ("ellipse", [x, y]) => Ok(Region::circle(1.0).transform([[*x, 0.0, 0.0], [0.0, *y, 0.0]])),
         ("ring", [outer, inner]) => Ok(Region::circle(*outer).difference(&[Region::circle(*inner)])),
+        ("pie", [radius, start, sweep]) => Ok(pie(*radius, *start, *sweep)),
+        ("egg", [bottom, top, height]) => {
+            let discs = [Region::circle(*bottom), Region::disc([0.0, *height], *top)];
+            Ok(Region::hull(&discs))
+        }
+        ("vesica", [radius, apart]) => {
+            let disc = |x: f64| Region::disc([x, 0.0], *radius);
+            Ok(Region::intersection(&[disc(-0.5 * apart), disc(0.5 * apart)]))
+        }
         ("star", [outer, inner, points]) => Ok(star(*outer, *inner, *points as u32)),
         _ => Err(error(span, format!("`{}` has no exact outline yet", row.name))),
     }
@@ -77,6 +86,17 @@ fn star(outer: f64, inner: f64, points: u32) -> Region {
         [radius * cos, radius * sin]
     };
     Region::polygon(&(0..points.saturating_mul(2)).map(corner).collect::<Vec<_>>(), None)
+}
+
+/// The sector of a disc.
+fn pie(radius: f64, start: f64, sweep: f64) -> Region {
+    if sweep.abs() >= std::f64::consts::TAU {
+        return Region::circle(radius);
+    }
+    let arc = Edge::Arc { center: [0.0, 0.0], radius, start, sweep };
+    let into = Edge::Line { from: [0.0, 0.0], to: arc.start() };
+    let back = Edge::Line { from: arc.end(), to: [0.0, 0.0] };
+    Region { contours: vec![Contour { edges: vec![into, arc, back] }] }
 }
 
 /// What a map does in the plane.

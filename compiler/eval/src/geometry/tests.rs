@@ -192,6 +192,8 @@ fn minkowski_sums() {
     assert_eq!(solid("minkowski() { cube(2); cube([2, 4, 4]); }"), boxes);
     assert!(solid("minkowski() { difference() { cube(2); cube(1); } sphere(1); }").starts_with("error: "));
     assert_eq!(solid("minkowski() { group(); cube(2, true); }"), "box 1 1 1\n");
+    let plane = solid("minkowski() { square(2, true); rotate(45) square(2, true); }");
+    assert_eq!(plane, "region 1 contour, 8 lines, 0 arcs, (-2.41421 -2.41421) to (2.41421 2.41421)\n");
 }
 
 #[test]
@@ -204,7 +206,26 @@ fn hulls() {
     assert_eq!(solid("hull() { circle(); translate([5, 0]) circle(); }"), plane);
     assert_eq!(solid("hull() cylinder(center = true);"), "cylinder 1 0.5\n");
     let torus = "hull() { torus(); sphere(); }";
-    assert_eq!(solid(torus), "error: the hull of these solids is not supported yet\n");
+    assert_eq!(solid(torus), "error: this hull or sum of solids is not supported yet\n");
+}
+
+#[test]
+fn convex_solids_with_corners() {
+    let pyramid = "sphere_hull (0 0 0) 0, (2 0 0) 0, (0 2 0) 0, (0 0 2) 0\n";
+    let points = "[[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2]]";
+    let faces = "[[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]";
+    assert_eq!(solid(&format!("polyhedron({points}, {faces});")), pyramid);
+    let notched = "[[0, 0, 0], [9, 0, 0], [0, 9, 0], [0, 0, 9], [1, 1, 1]]";
+    let faces = "[[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 4], [3, 2, 4], [2, 1, 4]]";
+    let error = "error: a polyhedron that is not convex is not supported yet\n";
+    assert_eq!(solid(&format!("polyhedron({notched}, {faces});")), error);
+    let boxes = solid("hull() { cube(2, true); translate([5, 0, 1]) cube(1); }");
+    assert_eq!((boxes.starts_with("sphere_hull"), boxes.matches('(').count()), (true, 16));
+    let sum = solid("minkowski() { rotate([0, 45, 0]) cube(2, true); cube(2, true); }");
+    assert_eq!(sum.matches('(').count(), 64);
+    let faceted = solid("minkowski() { cube(2, true); sphere(1, $fn = 4); }");
+    assert_eq!(faceted.matches('(').count(), 8 * (2 * 4 + 2));
+    assert_eq!(solid("hull() { sphere(size); cube(); }"), "demote: the hull of more than two solids\n");
 }
 
 #[test]
@@ -221,10 +242,12 @@ fn native_shapes_come_from_the_table() {
     assert_eq!(solid("torus(major = 8, minor = 2);"), "torus 8 2\n");
     assert_eq!(solid("capsule(5, 1);"), "capsule 5 1\n");
     assert_eq!(solid("half_space([0, 0, 2], 3);"), "half_space 0 0 1 3\n");
+    assert_eq!(solid("pie(2);"), "pie 2 0 1.5708\n");
+    assert_eq!(solid("arc(start = 90, sweep = -90);"), "arc 10 1 0 1.5708\n");
     assert_eq!(solid("half_space();"), "error: `half_space` needs its `normal`\n");
     assert_eq!(solid("torus(minor = 0);"), "empty\n");
     assert_eq!(solid("ring(outer = 2, inner = 3);"), "error: `inner` has to be less than `outer`\n");
-    assert_eq!(solid("star(n = 1);"), "error: `n` has to be a whole number, 2 or more\n");
+    assert_eq!(solid("star(n = 1);"), "error: `n` has to be a whole number from 2 to 1000\n");
 }
 
 #[test]

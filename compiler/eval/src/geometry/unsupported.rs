@@ -9,7 +9,6 @@ pub(super) const MODULES: &[Module] = &[
     unsupported("text", &["text", "size", "font", "direction", "language", "script", "halign", "valign", "spacing"]),
     unsupported("import", &["file", "layer", "convexity", "origin", "scale", "width", "height", "center"]),
     unsupported("surface", &["file", "center", "convexity", "invert"]),
-    unsupported("polyhedron", &["points", "faces", "convexity", "triangles"]),
     unsupported("roof", &["method", "convexity"]),
     replaced("import_stl"),
     replaced("import_off"),
@@ -42,7 +41,6 @@ fn hint(name: &str) -> Option<&'static str> {
         "dxf_linear_extrude" => Some("OpenSCAD's way to write it is `linear_extrude() import(…)` by now"),
         "dxf_rotate_extrude" => Some("OpenSCAD's way to write it is `rotate_extrude() import(…)` by now"),
         "child" => Some("OpenSCAD's name for it is `children` by now"),
-        "polyhedron" => Some("convex polyhedra are hulls or intersections of half spaces: see `half_space`"),
         _ => None,
     }
 }
