@@ -1,7 +1,5 @@
 //! Plane shapes. Their boxes are all of z.
 
-use std::f64::consts::FRAC_PI_2;
-
 use super::{angle, anywhere, around_zero, number, size, vec2};
 use crate::bounds::Bounds;
 use crate::interval::Interval;
@@ -107,7 +105,7 @@ pub static ARC: Row = Row {
         size("r", 10.0, "radius of its middle line"),
         size("thickness", 1.0, "thickness"),
         angle("start", Some(0.0), "where it starts"),
-        angle("sweep", Some(FRAC_PI_2), "how far it goes, anticlockwise"),
+        angle("sweep", Some(90.0), "how far it goes, anticlockwise"),
     ],
     class: Class::ExactOutside,
     module: true,
@@ -125,7 +123,7 @@ pub static PIE: Row = Row {
     parameters: &[
         size("r", 10.0, "radius"),
         angle("start", Some(0.0), "where it starts"),
-        angle("sweep", Some(FRAC_PI_2), "how far it goes, anticlockwise; less than a full turn"),
+        angle("sweep", Some(90.0), "how far it goes, anticlockwise; less than a full turn"),
     ],
     class: Class::Exact,
     module: true,
@@ -155,7 +153,7 @@ pub static EGG: Row = Row {
         Bounds::new(around_zero(Interval::point(reach)), Interval { min: bottom, max: top }, Interval::ALL)
     },
     manual: "The convex hull of two discs, one at the origin and one above it.",
-    example: "rotate_extrude() egg(r_bottom = 10, r_top = 5, h = 10);",
+    example: "linear_extrude(5) egg(r_bottom = 10, r_top = 5, h = 10);",
 };
 
 /// A pointed oval.
