@@ -20,11 +20,11 @@ fn prepass(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
 
-    // The cone about the tile, as wide as its corners, a pixel wider for the reconstruction filter.
+    // The cone about the tile, as wide as its corners, a pixel wider for the reconstruction filter; or its axis only.
     let axis = camera_ray(vec2<f32>(corner) + 0.5 * f32(edge));
     let rim = camera_ray(vec2<f32>(corner) - 1.0);
     let opposite = camera_ray(vec2<f32>(corner) + f32(edge) + 1.0);
-    let spread = max(length(rim.w - axis.w), length(opposite.w - axis.w));
+    let spread = max(length(rim.w - axis.w), length(opposite.w - axis.w)) * f32(view.size.w);
 
     // Start at the scene's box, or where the wider cone ended.
     let nearest = clamp(axis.o, view.box_min.xyz, view.box_max.xyz);
@@ -46,7 +46,7 @@ fn prepass(@builtin(global_invocation_id) id: vec3<u32>) {
             t += free;
         }
         // Go on only while it pays: the next level steps as well with half the cone.
-        if free < 0.25 * r || t > t_end {
+        if free < max(0.25 * r, view.box_min.w) || t > t_end {
             break;
         }
     }

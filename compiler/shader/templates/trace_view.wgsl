@@ -18,7 +18,8 @@ struct View {
     box_max: vec4<f32>,
     /// The floor: x: its height; y: 1 if there is one, else 0. The studio's azimuth: z: its cosine; w: its sine.
     studio: vec4<f32>,
-    /// The picture's size in pixels; z: how many samples each pixel had before; w: 1 to start at the prepass's depths.
+    /// The picture's size in pixels; z: how many samples each pixel had before; w: 1 to start at the prepass's depths,
+    /// or, for the prepass itself, to march cones and not just their axes.
     size: vec4<u32>,
     /// The part of the picture that this dispatch draws: the first pixel and the size.
     part: vec4<u32>,

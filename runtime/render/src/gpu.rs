@@ -88,10 +88,8 @@ impl Gpu {
             },
             ..DeviceDescriptor::default()
         };
-        let (device, queue) = block_on(adapter.request_device(&descriptor)).map_err(|error| Error::Unusable {
-            adapter: description.name.clone(),
-            reason: error.to_string(),
-        })?;
+        let (device, queue) = block_on(adapter.request_device(&descriptor))
+            .map_err(|error| Error::Unusable { adapter: description.name.clone(), reason: error.to_string() })?;
 
         // What no error scope catches is kept until somebody can answer it.
         let fault = Arc::new(Mutex::new(None));

@@ -5,13 +5,14 @@ use std::borrow::Cow;
 use naga::Module;
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry,
-    BindingResource, BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, ComputePass,
-    ComputePipeline, ComputePipelineDescriptor, PipelineLayoutDescriptor, ShaderModuleDescriptor, ShaderSource,
-    ShaderStages, StorageTextureAccess, TextureFormat, TextureViewDimension,
+    BindingResource, BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, ComputePipeline,
+    ComputePipelineDescriptor, PipelineLayoutDescriptor, ShaderModuleDescriptor, ShaderSource, ShaderStages,
+    StorageTextureAccess, TextureFormat, TextureViewDimension,
 };
 
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
+use crate::uniform::ViewUniform;
 
 /// What a binding is.
 #[derive(Clone, Copy, Debug)]
@@ -78,13 +79,30 @@ impl Kernel {
         })
     }
 
-    /// Runs it within a pass.
-    pub(crate) fn dispatch(&self, pass: &mut ComputePass, groups: &[&BindGroup], workgroups: [u32; 2]) {
+    /// Runs it for a view, with one invocation for each of `invocations`, and waits for it.
+    pub(crate) fn run(
+        &self,
+        gpu: &Gpu,
+        groups: &[&BindGroup],
+        view: &Buffer,
+        uniform: &ViewUniform,
+        invocations: [u32; 2],
+    ) -> Result<()> {
+        gpu.queue.write_buffer(view, 0, bytemuck::bytes_of(uniform));
+        self.finish(gpu, groups, invocations.map(|count| count.div_ceil(8)))
+    }
+
+    /// Runs it with this many workgroups, and waits for it.
+    pub(crate) fn finish(&self, gpu: &Gpu, groups: &[&BindGroup], workgroups: [u32; 2]) -> Result<()> {
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let mut pass = encoder.begin_compute_pass(&Default::default());
         pass.set_pipeline(&self.pipeline);
         for (index, group) in groups.iter().enumerate() {
             pass.set_bind_group(index as u32, *group, &[]);
         }
         pass.dispatch_workgroups(workgroups[0], workgroups[1], 1);
+        drop(pass);
+        gpu.finish(encoder)
     }
 }
 

@@ -6,6 +6,7 @@
 mod error;
 mod gpu;
 mod kernel;
+mod measure;
 mod model;
 mod parts;
 mod picture;

@@ -10,6 +10,7 @@ use wgpu::{BindGroup, BindingResource, Buffer};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::kernel::{Kernel, Slot, buffer};
+use crate::measure;
 use crate::view::drawn_bounds;
 
 /// A scene compiled for a device: its pipelines and what they read. Making one takes long; moving its live numbers
@@ -21,8 +22,8 @@ pub struct Model {
     /// Outside there is nothing to draw.
     pub(crate) bounds: Bounds,
     pub(crate) lipschitz: f64,
-    /// The height that a floor would have, unless the scene has no lower end.
-    pub(crate) floor: Option<f64>,
+    /// Whether the scene has a lowest point that a floor could be under.
+    has_lower_end: bool,
 }
 
 /// A template with the scene spliced into it, on its way to a device.
@@ -53,15 +54,20 @@ impl Model {
             trace: Program::new(gpu, trace, "trace", true, &[(0, Slot::Read), (1, Slot::ReadWrite)])?,
             bounds: drawn_bounds(&facts.bounds),
             lipschitz: facts.lipschitz,
-            floor: Some(facts.bounds.min[2]).filter(|height| height.is_finite()),
+            has_lower_end: facts.bounds.min[2].is_finite(),
         };
         model.set_parameters(gpu, parameters)?;
         Ok(model)
     }
 
-    /// The box outside which nothing is drawn: the scene's bounds, cut where they have no end.
-    pub fn drawn_bounds(&self) -> Bounds {
-        self.bounds
+    /// The box that the scene fills while the live numbers have their present values, cut where it has no end.
+    pub fn extent(&self, gpu: &Gpu) -> Result<Bounds> {
+        measure::extent(gpu, self)
+    }
+
+    /// The height of the scene's lowest point while the live numbers have their present values.
+    pub(crate) fn lowest(&self, gpu: &Gpu) -> Result<Option<f64>> {
+        if self.has_lower_end { measure::lowest(gpu, self).map(Some) } else { Ok(None) }
     }
 
     pub(crate) fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
@@ -127,10 +133,8 @@ impl Program {
             (bindings::LIVE.binding, self.live_buffer.as_ref()),
             (bindings::TABLES.binding, self.tables.as_ref()),
         ];
-        let resources: Vec<(u32, BindingResource)> = bound
-            .into_iter()
-            .filter_map(|(binding, buffer)| Some((binding, buffer?.as_entire_binding())))
-            .collect();
+        let resources: Vec<(u32, BindingResource)> =
+            bound.into_iter().filter_map(|(binding, buffer)| Some((binding, buffer?.as_entire_binding()))).collect();
         self.kernel.bind(gpu, 0, &resources)
     }
 }

@@ -80,7 +80,7 @@ impl Picture {
         let levels = levels(size);
         let buffers = Buffers::new(gpu, model, size, &levels)?;
         let resolver = Resolver::new(gpu, size, &buffers.sums)?;
-        let studio = Studio { floor: model.floor, azimuth: view.rotation[2].to_radians() };
+        let studio = Studio { floor: model.lowest(gpu)?, azimuth: view.rotation[2].to_radians() };
         Ok(Self {
             gpu: gpu.clone(),
             model: model.clone(),
@@ -108,6 +108,7 @@ impl Picture {
     /// Moves the live numbers to these values, in the order of their ids, and starts anew.
     pub fn set_parameters(&mut self, parameters: &[f64]) -> Result<()> {
         self.model.set_parameters(&self.gpu, parameters)?;
+        self.studio.floor = self.model.lowest(&self.gpu)?;
         self.restart()
     }
 
@@ -153,7 +154,9 @@ impl Picture {
         let finest = self.levels[self.levels.len() - 1];
         let uniform = self.uniform().at_sample(self.samples, part, finest, self.uses_prepass);
         let groups = self.buffers.trace_groups.each_ref();
-        let took = self.run(&self.model.trace.kernel, groups, &uniform, part.size)?;
+        let started = Instant::now();
+        self.model.trace.kernel.run(&self.gpu, &groups, &self.buffers.view, &uniform, part.size)?;
+        let took = started.elapsed();
         self.timings.so_far += took;
         let complete = self.parts.advance(took);
         if complete {
@@ -210,41 +213,22 @@ impl Picture {
     }
 
     fn run_prepass(&mut self) -> Result<()> {
-        self.timings.prepass = Duration::ZERO;
-        if self.uses_prepass {
-            for index in 0..self.levels.len() {
-                let level = self.levels[index];
-                let before = index.checked_sub(1).map(|index| self.levels[index]);
-                let uniform = self.uniform().at_level(level, before);
-                let groups = self.buffers.prepass_groups.each_ref();
-                let tiles = self.size.map(|edge| edge.div_ceil(level.edge));
-                self.timings.prepass += self.run(&self.model.prepass.kernel, groups, &uniform, tiles)?;
-            }
+        let started = Instant::now();
+        let mut before = None;
+        for &level in self.levels.iter().filter(|_| self.uses_prepass) {
+            let uniform = self.uniform().at_level(level, before, true);
+            let groups = self.buffers.prepass_groups.each_ref();
+            let tiles = self.size.map(|edge| edge.div_ceil(level.edge));
+            self.model.prepass.kernel.run(&self.gpu, &groups, &self.buffers.view, &uniform, tiles)?;
+            before = Some(level);
         }
+        self.timings.prepass = started.elapsed();
         self.has_starts = true;
         Ok(())
     }
 
-    /// Runs a kernel with one invocation for each of `invocations`, and waits for it.
-    fn run(
-        &self,
-        kernel: &crate::kernel::Kernel,
-        groups: [&BindGroup; 2],
-        uniform: &ViewUniform,
-        invocations: [u32; 2],
-    ) -> Result<Duration> {
-        let started = Instant::now();
-        self.gpu.queue.write_buffer(&self.buffers.view, 0, bytemuck::bytes_of(uniform));
-        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        kernel.dispatch(&mut pass, &groups, invocations.map(|count| count.div_ceil(8)));
-        drop(pass);
-        self.gpu.finish(encoder)?;
-        Ok(started.elapsed())
-    }
-
     fn uniform(&self) -> ViewUniform {
-        ViewUniform::new(&self.view, &self.model.drawn_bounds(), self.model.lipschitz, self.studio, self.size)
+        ViewUniform::new(&self.view, &self.model.bounds, self.model.lipschitz, self.studio, self.size)
     }
 
     fn sums(&self) -> Result<Vec<[f32; 4]>> {
@@ -263,8 +247,7 @@ impl Buffers {
         let own_trace = [(0, starts.as_entire_binding()), (1, sums.as_entire_binding())];
         let prepass_groups =
             [model.prepass.bind_shared(gpu, Some(&view))?, model.prepass.kernel.bind(gpu, 1, &own_prepass)?];
-        let trace_groups =
-            [model.trace.bind_shared(gpu, Some(&view))?, model.trace.kernel.bind(gpu, 1, &own_trace)?];
+        let trace_groups = [model.trace.bind_shared(gpu, Some(&view))?, model.trace.kernel.bind(gpu, 1, &own_trace)?];
         Ok(Self { view, starts, sums, prepass_groups, trace_groups })
     }
 }

@@ -38,11 +38,7 @@ impl Program {
         let own = self.kernel.bind(gpu, 1, &own)?;
 
         let workgroups = (rows.len() as u32).div_ceil(64);
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        self.kernel.dispatch(&mut pass, &[&shared, &own], [workgroups.min(ROW), workgroups.div_ceil(ROW)]);
-        drop(pass);
-        gpu.finish(encoder)?;
+        self.kernel.finish(gpu, &[&shared, &own], [workgroups.min(ROW), workgroups.div_ceil(ROW)])?;
         Ok(bytemuck::pod_collect_to_vec(&gpu.read(&answers)?))
     }
 }

@@ -52,12 +52,8 @@ impl Resolver {
     pub(crate) fn run(&self, gpu: &Gpu, samples: u32, exposure: f32) -> Result<&Texture> {
         let scale = exposure / samples.max(1) as f32;
         gpu.queue.write_buffer(&self.resolution, 0, bytemuck::bytes_of(&[scale, 0.0, 0.0, 0.0]));
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let mut pass = encoder.begin_compute_pass(&Default::default());
         let groups = [self.texture.width().div_ceil(8), self.texture.height().div_ceil(8)];
-        self.kernel.dispatch(&mut pass, &[&self.group], groups);
-        drop(pass);
-        gpu.finish(encoder)?;
+        self.kernel.finish(gpu, &[&self.group], groups)?;
         Ok(&self.texture)
     }
 

@@ -77,10 +77,11 @@ impl ViewUniform {
         }
     }
 
-    /// For a level of the prepass that starts where another ended.
-    pub(crate) fn at_level(self, level: Level, before: Option<Level>) -> Self {
+    /// For a level of the prepass that starts where another ended, of cones or of rays without width.
+    pub(crate) fn at_level(self, level: Level, before: Option<Level>, cones: bool) -> Self {
         let before = before.unwrap_or(Level { edge: 0, first: 0 });
-        Self { level: [level.edge, level.first, before.edge, before.first], ..self }
+        let size = [self.size[0], self.size[1], 0, u32::from(cones)];
+        Self { size, level: [level.edge, level.first, before.edge, before.first], ..self }
     }
 
     /// For a sample of a part, starting at the depths of the prepass's last level or at the box.

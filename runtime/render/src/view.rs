@@ -41,11 +41,11 @@ impl View {
         let value = |scalar: &Scalar| scalar.value(parameters);
         let rotation = camera.rotation.as_ref().map_or(DEFAULT_ROTATION, |r| [0, 1, 2].map(|axis| value(&r[axis])));
         let field_of_view = camera.field_of_view.as_ref().map_or(DEFAULT_FIELD_OF_VIEW, value).clamp(0.1, 170.0);
-        let bounds = drawn_bounds(bounds);
+        let bounds = &drawn_bounds(bounds);
         let target = camera.target.as_ref().map(|t| [0, 1, 2].map(|axis| value(&t[axis])));
 
         let undirected = View { target: target.unwrap_or(bounds.center()), rotation, distance: 0.0, field_of_view };
-        let (shift, fitting) = undirected.fit(&bounds, aspect, target.is_none());
+        let (shift, fitting) = undirected.fit(bounds, aspect, target.is_none());
         let axes = undirected.axes();
         let distance = camera.distance.as_ref().map_or(fitting, value).max(1e-6 * bounds.diagonal());
         let shifted = |axis: usize| undirected.target[axis] + shift[0] * axes.right[axis] + shift[1] * axes.up[axis];
@@ -166,12 +166,8 @@ mod tests {
             field_of_view: Some(Scalar::from(45.0)),
         };
         let view = View::framing(&camera, &[], &Bounds::centred([1.0; 3]), 1.0);
-        let expected = View {
-            target: [1.0, 2.0, 3.0],
-            rotation: [10.0, 20.0, 30.0],
-            distance: 140.0,
-            field_of_view: 45.0,
-        };
+        let expected =
+            View { target: [1.0, 2.0, 3.0], rotation: [10.0, 20.0, 30.0], distance: 140.0, field_of_view: 45.0 };
         assert_eq!(view, expected);
     }
 

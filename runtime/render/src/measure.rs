@@ -1,0 +1,113 @@
+//! Measuring how far a scene really reaches.
+//!
+//! The compiler's bounds are sound but may be loose: what a difference cuts off still counts. A floor has to be where
+//! the scene ends, and a picture should be filled, so the prepass looks at the scene from all six sides.
+
+use chiaro_vocabulary::Bounds;
+use wgpu::BindGroup;
+
+use crate::error::Result;
+use crate::gpu::Gpu;
+use crate::kernel::{Slot, buffer};
+use crate::model::Model;
+use crate::uniform::{Level, Studio, ViewUniform};
+use crate::view::View;
+
+/// The sides: OpenSCAD's rotation, the axis looked along, and whether the look goes from its lower end.
+const SIDES: [([f64; 3], usize, bool); 6] = [
+    ([180.0, 0.0, 0.0], 2, true),
+    ([0.0, 0.0, 0.0], 2, false),
+    ([90.0, 0.0, -90.0], 0, true),
+    ([90.0, 0.0, 90.0], 0, false),
+    ([90.0, 0.0, 0.0], 1, true),
+    ([90.0, 0.0, 180.0], 1, false),
+];
+/// The edge in pixels of what is seen from a side.
+const SIZE: u32 = 128;
+/// Widths of cones, in pixels; behind them come rays without width.
+const EDGES: [u32; 3] = [16, 4, 1];
+/// How many diagonals of the box away the eye is.
+const REMOTE: f64 = 16.0;
+/// By how much of the diagonal cones may end before the surface. If rays end later, they missed something thin.
+const CONES_END_EARLY: f64 = 0.04;
+
+/// The box that the model fills, within its bounds, for its present live numbers.
+pub(crate) fn extent(gpu: &Gpu, model: &Model) -> Result<Bounds> {
+    let mut extent = model.bounds;
+    for side in SIDES {
+        narrow(gpu, model, side, &mut extent)?;
+    }
+    // Nothing is to be seen: there is nothing to be framed but the bounds.
+    Ok(if extent.is_empty() { model.bounds } else { extent })
+}
+
+/// The height of the model's lowest point, for its present live numbers.
+pub(crate) fn lowest(gpu: &Gpu, model: &Model) -> Result<f64> {
+    let mut extent = model.bounds;
+    narrow(gpu, model, SIDES[0], &mut extent)?;
+    Ok(extent.min[2])
+}
+
+/// Moves one side of the box inwards to what is seen from there.
+fn narrow(gpu: &Gpu, model: &Model, side: ([f64; 3], usize, bool), extent: &mut Bounds) -> Result<()> {
+    let (rotation, axis, from_below) = side;
+    let bounds = &model.bounds;
+    let diagonal = bounds.diagonal();
+    let distance = REMOTE * diagonal;
+    let field_of_view = 2.0 * (0.5 / (REMOTE - 0.5)).atan().to_degrees();
+    let view = View { target: bounds.center(), rotation, distance, field_of_view };
+
+    let [by_cones, by_rays] = nearest(gpu, model, &view)?;
+    let depth_of_far_side = distance + 0.5 * bounds.size()[axis];
+    if by_cones >= depth_of_far_side {
+        return Ok(());
+    }
+    let thin_missed = by_rays - by_cones > CONES_END_EARLY * diagonal;
+    let beyond_eye = if thin_missed { by_cones } else { by_rays };
+    if from_below {
+        extent.min[axis] = extent.min[axis].max(view.eye()[axis] + beyond_eye);
+    } else {
+        extent.max[axis] = extent.max[axis].min(view.eye()[axis] - beyond_eye);
+    }
+    Ok(())
+}
+
+/// How far before the eye anything begins: never too far by cones, and at least so far by rays.
+fn nearest(gpu: &Gpu, model: &Model, view: &View) -> Result<[f64; 2]> {
+    let rays = Level { edge: 1, first: 0 };
+    let mut levels = vec![rays];
+    for edge in EDGES {
+        let last = levels[levels.len() - 1];
+        levels.push(Level { edge, first: last.first + SIZE.div_ceil(last.edge).pow(2) });
+    }
+    let tiles = levels.iter().map(|level| u64::from(SIZE.div_ceil(level.edge)).pow(2)).sum::<u64>();
+
+    let program = &model.prepass;
+    let uniforms = buffer(gpu, "view", Slot::Uniform, size_of::<ViewUniform>() as u64)?;
+    let starts = buffer(gpu, "starting depths", Slot::ReadWrite, 8 * tiles)?;
+    let shared = program.bind_shared(gpu, Some(&uniforms))?;
+    let own = program.kernel.bind(gpu, 1, &[(0, starts.as_entire_binding())])?;
+    let groups: [&BindGroup; 2] = [&shared, &own];
+
+    let studio = Studio { floor: None, azimuth: 0.0 };
+    let uniform = ViewUniform::new(view, &model.bounds, model.lipschitz, studio, [SIZE; 2]);
+    let mut before = None;
+    for level in levels[1..].iter().chain([&rays]) {
+        let of_level = uniform.at_level(*level, before, *level != rays);
+        program.kernel.run(gpu, &groups, &uniforms, &of_level, [SIZE.div_ceil(level.edge); 2])?;
+        before = Some(*level);
+    }
+
+    let depths: Vec<[f32; 2]> = bytemuck::pod_collect_to_vec(&gpu.read(&starts)?);
+    let depths = &depths;
+    let nearest_of = |level: Level| {
+        (0..SIZE * SIZE).map(move |tile| {
+            // Depths are along rays: what counts is how far that is along the view's direction.
+            let off_axis = |pixel: u32| (f64::from(2 * pixel + 1) / f64::from(SIZE) - 1.0) * view.half_height();
+            let (x, y) = (off_axis(tile % SIZE), off_axis(tile / SIZE));
+            f64::from(depths[(level.first + tile) as usize][0]) / (1.0 + x * x + y * y).sqrt()
+        })
+    };
+    let finest_cones = levels[levels.len() - 1];
+    Ok([finest_cones, rays].map(|level| nearest_of(level).fold(f64::INFINITY, f64::min)))
+}
