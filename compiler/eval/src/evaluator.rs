@@ -24,6 +24,8 @@ use crate::value::{Trouble, Value};
 const FIRST_SWEEP: usize = 10_000;
 /// More scopes than this can't be in use by function literals at one time.
 const MOST_CAPTURED: usize = 1_000_000;
+/// How many places one message is shown for.
+const MOST_REPEATED: usize = 100;
 /// How many of the calls under way an error shows.
 const SHOWN_CALLS: usize = 6;
 
@@ -67,6 +69,8 @@ pub(crate) struct Evaluator<'t> {
     plans: Vec<Rc<Plan<'t>>>,
     plan_ids: FxHashMap<*const Statement, PlanId>,
     said: FxHashSet<(Option<Span>, u64)>,
+    /// How often each message was said, wherever.
+    repeated: FxHashMap<u64, usize>,
     captured: Vec<Rc<Scope>>,
     sweep_at: usize,
     steps: u64,
@@ -123,6 +127,7 @@ impl<'t> Evaluator<'t> {
             plans: vec![Rc::new(Plan::default())],
             plan_ids: FxHashMap::default(),
             said: FxHashSet::default(),
+            repeated: FxHashMap::default(),
             captured: Vec::new(),
             sweep_at: FIRST_SWEEP,
             steps: options.limits.steps,
@@ -289,11 +294,19 @@ impl<'t> Evaluator<'t> {
         }
     }
 
-    /// Adds a diagnostic, unless it was said of this place before.
+    /// Adds a diagnostic, unless it was said of this place before, or of very many places.
     pub(crate) fn say(&mut self, diagnostic: Diagnostic) {
-        let key = (diagnostic.span, FxBuildHasher.hash_one(&diagnostic.message));
-        if self.said.insert(key) {
+        let message = FxBuildHasher.hash_one(&diagnostic.message);
+        if !self.said.insert((diagnostic.span, message)) {
+            return;
+        }
+        let repeated = self.repeated.entry(message).or_default();
+        *repeated += 1;
+        if *repeated <= MOST_REPEATED {
             self.diagnostics.push(diagnostic);
+        } else if *repeated == MOST_REPEATED + 1 {
+            let message = format!("this was found in more places than are shown: {}", diagnostic.message);
+            self.diagnostics.push(Diagnostic { message, ..diagnostic });
         }
     }
 

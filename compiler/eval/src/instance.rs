@@ -24,6 +24,14 @@ pub(crate) struct Built {
     pub(crate) depth: u32,
 }
 
+impl Built {
+    /// A solid that is at most so deep.
+    fn new(solid: Arc<Solid>, depth: u32) -> Self {
+        let is_empty = matches!(solid.kind, SolidKind::Empty);
+        Self { solid, depth: if is_empty { 1 } else { depth } }
+    }
+}
+
 /// A module of the scene's.
 struct UserModule<'t> {
     definition: &'t ModuleDefinition,
@@ -75,11 +83,10 @@ impl<'t> Evaluator<'t> {
         selected: Option<&[usize]>,
     ) -> Result<Vec<Built>> {
         let mut built = Vec::new();
-        let all: Vec<&'t Instance> = match selected {
-            Some(numbers) => numbers.iter().filter_map(|number| plan.instances.get(*number).copied()).collect(),
-            None => plan.instances.clone(),
-        };
-        for instance in all {
+        let count = selected.map_or(plan.instances.len(), <[usize]>::len);
+        for at in 0..count {
+            let at = selected.map_or(at, |selected| selected[at]);
+            let Some(instance) = plan.instances.get(at) else { continue };
             match self.instance(instance, scope) {
                 Ok(result) => built.extend(result),
                 Err(Halt::Reported) => {}
@@ -122,7 +129,7 @@ impl<'t> Evaluator<'t> {
             }
             "intersection_for" => {
                 let children = self.looped(instance, scope)?;
-                self.built_in_module(instance, "intersection", Vec::new(), children).map(Some)
+                self.built_in_module(instance, "intersection", Vec::new(), children, scope).map(Some)
             }
             "if" => self.conditional(instance, scope),
             "let" => {
@@ -312,11 +319,7 @@ impl<'t> Evaluator<'t> {
         }
         arguments.retain(|argument| argument.name.as_ref().is_none_or(|name| !Specials::is_special(name)));
         let children = self.block(&instance.children, scope, None)?;
-        let name = &instance.name.node;
-        if !geometry::names().any(|known| *known == **name) {
-            return Err(self.unknown_module(name, instance.name.span, scope));
-        }
-        self.built_in_module(instance, name, arguments, children)
+        self.built_in_module(instance, &instance.name.node, arguments, children, scope)
     }
 
     fn built_in_module(
@@ -325,6 +328,7 @@ impl<'t> Evaluator<'t> {
         name: &str,
         arguments: Vec<geometry::Argument>,
         children: Vec<Built>,
+        scope: &Rc<Scope>,
     ) -> Result<Built> {
         let sides = self.sides()?;
         let depth = 1 + children.iter().map(|child| child.depth).max().unwrap_or(0);
@@ -334,9 +338,9 @@ impl<'t> Evaluator<'t> {
         let solid = geometry::build(call, &self.settings, &mut reports);
         reports.into_iter().for_each(|report| self.warn(report));
         match solid {
-            Some(Ok(solid)) => Ok(Built { solid, depth }),
+            Some(Ok(solid)) => Ok(Built::new(solid, depth)),
             Some(Err(stop)) => Err(self.stopped(stop)),
-            None => Err(self.error(Diagnostic::error(instance.name.span, format!("there is no module `{name}`")))),
+            None => Err(self.unknown_module(&instance.name.node, instance.name.span, scope)),
         }
     }
 
@@ -367,13 +371,13 @@ impl<'t> Evaluator<'t> {
         let depth = children.iter().map(|child| child.depth).max().unwrap_or(0);
         let solids: Vec<Arc<Solid>> = children.into_iter().map(|child| child.solid).collect();
         if solids.is_empty() {
-            return Built { solid: Solid::new(SolidKind::Empty, span), depth: 1 };
+            return Built::new(Solid::new(SolidKind::Empty, span), 1);
         }
         let mut reports = Vec::new();
         let single = (solids.len() == 1).then(|| solids[0].clone());
         let solid = geometry::union_of(solids, span, &mut reports);
         reports.into_iter().for_each(|report| self.warn(report));
         let is_same = single.is_some_and(|single| Arc::ptr_eq(&single, &solid));
-        Built { solid, depth: if is_same { depth } else { depth + 1 } }
+        Built::new(solid, if is_same { depth } else { depth + 1 })
     }
 }

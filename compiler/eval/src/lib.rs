@@ -27,3 +27,6 @@ mod settings;
 pub use geometry::Facets;
 pub use options::{Limits, Options, STACK_BYTES, World};
 pub use scene::{Evaluation, evaluate};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,70 @@
+//! Numbers that stay live, and those that can't.
+
+use super::{Options, Outcome, run, run_with};
+
+/// The names of a scene's live parameters; a component's number follows its name.
+fn names(outcome: &Outcome) -> Vec<String> {
+    assert!(outcome.errors.is_empty(), "{:?}", outcome.errors);
+    let name = |p: &chiaro_solid::LiveParameter| p.component.map_or(p.name.to_string(), |at| format!("{}{at}", p.name));
+    outcome.parameters.iter().map(name).collect()
+}
+
+#[test]
+fn sliders_and_time_stay_live() {
+    let outcome =
+        run("r = 10; // [1:0.5:30]\nv = [1, 2]; // [0:5]\ns = 3; // 2\nsphere(r); translate(v) cube(s + $t);");
+    assert_eq!(names(&outcome), ["r", "v0", "v1", "$t"]);
+    let r = &outcome.parameters[0];
+    assert_eq!((r.default, r.range.min, r.range.max, r.step), (10.0, 1.0, 30.0, Some(0.5)));
+    assert!(outcome.notes.is_empty());
+}
+
+#[test]
+fn time_is_a_parameter_only_if_it_is_used() {
+    assert!(names(&run("cube(1);")).is_empty());
+    assert_eq!(names(&run("rotate(360 * $t) cube(1);")), ["$t"]);
+}
+
+#[test]
+fn arithmetic_and_choices_of_numbers_stay_live() {
+    let head = "r = 10; // [1:30]\n";
+    for expression in [
+        "sphere(max(r, 3) + sin(r) ^ 2);",
+        "translate(r > 5 ? [1, 2, r] : [3, 4, 5]) cube(1);",
+        "function f(x) = x < 3 || x > 20 ? 1 : x; sphere(f(f(r)));",
+        "translate([for (i = [0 : 2]) i * r]) cube(norm([r, r]));",
+        "assert(r > 0) sphere(r);",
+    ] {
+        assert_eq!(names(&run(&format!("{head}{expression}"))), ["r"], "{expression}");
+    }
+}
+
+#[test]
+fn what_decides_the_structure_is_demoted_with_a_note() {
+    let head = "n = 3; // [1:30]\nr = 2; // [1:9]\n";
+    for (text, value) in [
+        ("for (i = [0 : n]) sphere(r + i);", "[]"),
+        ("if (n > 2) sphere(r); echo(n > 2);", "true"),
+        ("echo([5, 6, 7, 8][n]); sphere(r);", "8"),
+        ("echo(str(n)); sphere(r);", "\"3\""),
+        ("function f(k) = k <= 0 ? 0 : 1 + f(k - 1); echo(f(n)); sphere(r);", "3"),
+        ("echo(n == 3 ? \"yes\" : 0); sphere(r);", "\"yes\""),
+        ("x = n == 3 ? 1 : assert(false) 2; sphere(x + r); echo(x);", "1"),
+        ("assert(n < 10); sphere(r);", "[]"),
+        ("x = [for (s = n, i = 0; i < 9000; i = i + 1, s = s + n) s]; sphere(x[8999] + r);", "[]"),
+    ] {
+        let outcome = run(&format!("{head}{text}"));
+        assert_eq!(names(&outcome), ["r"], "{text}");
+        let expected = "`n` decides the structure of the scene here, so that changing it recompiles";
+        assert_eq!(outcome.notes, [expected], "{text}");
+        assert_eq!(outcome.echoes.first().map_or("[]", |echo| echo), value, "{text}");
+    }
+}
+
+#[test]
+fn a_value_from_outside_is_a_live_ones_default() {
+    let options = Options { definitions: vec![("r".into(), "50".into())], ..Options::default() };
+    let outcome = run_with("r = 10; // [1:30]\nsphere(r);", &[], options);
+    let r = &outcome.parameters[0];
+    assert_eq!((r.default, r.range.min, r.range.max), (50.0, 1.0, 50.0));
+}

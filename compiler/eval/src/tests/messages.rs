@@ -1,0 +1,55 @@
+//! What goes wrong is said at its place, with what would mend it.
+
+use super::{errors, run, run_with};
+
+#[test]
+fn unknown_names_are_errors_with_suggestions() {
+    assert_eq!(errors("width = 3; cube(widht);"), ["widht: there is no variable `widht` (did you mean `width`?)"]);
+    assert_eq!(errors("x = sqr(4);"), ["sqr: there is no function `sqr` (did you mean `sqrt`?)"]);
+    assert_eq!(errors("module peg() {} pgs();"), ["pgs: there is no module `pgs`"]);
+    assert_eq!(errors("spere(3);"), ["spere: there is no module `spere` (did you mean `sphere`?)"]);
+    assert_eq!(
+        errors("x = y; y = 3;"),
+        ["y: there is no variable `y` (assignments run in the order of the text: move this one up)"]
+    );
+}
+
+#[test]
+fn one_mistake_is_one_error_and_hides_no_other() {
+    assert_eq!(errors("x = nope; y = x + 1; cube(y); for (i = [0 : 9]) cube(y); cube(nope2);").len(), 2);
+    assert_eq!(errors("function f(x) = x + z; a = [for (i = [0 : 9]) f(i)];").len(), 1);
+}
+
+#[test]
+fn assertions_show_their_condition_and_the_calls() {
+    let text = "function f(n) = assert(n > 0, \"too small\") n; module m(k) { cube(f(k)); } m(-1);";
+    assert_eq!(errors(text), ["n > 0: the assertion `n > 0` fails: too small"]);
+    assert!(errors("assert(true) cube(1); assert([0]);").is_empty());
+}
+
+#[test]
+fn odd_operands_and_arguments_are_warned_of() {
+    let warnings = |text: &str| run(text).warnings;
+    assert_eq!(warnings("x = 1 + \"a\";"), ["`+` is not defined for a number and a string"]);
+    assert_eq!(warnings("for (i = [0 : 9]) { x = i + undef; }").len(), 1);
+    assert_eq!(warnings("module m(size) {} m(sise = 1);"), ["`m` has no parameter `sise`"]);
+    assert_eq!(warnings("x = 1;\nx = 2;"), ["`x` was assigned on line 1 already; the value there is never used"]);
+    assert_eq!(warnings("echo($nothing);"), ["nothing sets `$nothing`, so this is undef"]);
+    assert!(warnings("x = is_undef($nothing) || is_undef(nothing);").is_empty());
+}
+
+#[test]
+fn missing_and_circular_includes_are_found() {
+    let files = [("a.scad", "include <b.scad>\n"), ("b.scad", "include <a.scad>\nx = 1;")];
+    let outcome = run_with("include <a.scad>\ninclude <c.scad>\necho(x);", &files, Default::default());
+    assert_eq!(outcome.echoes, ["1"]);
+    let found: Vec<&str> = outcome.errors.iter().map(|error| error.split(" (").next().unwrap_or("")).collect();
+    assert_eq!(found.len(), 2);
+    assert!(found.iter().any(|error| error.ends_with("can't find `c.scad`")), "{found:?}");
+    assert!(found.iter().any(|error| error.ends_with("`a.scad` includes itself")), "{found:?}");
+}
+
+#[test]
+fn echoes_come_in_the_order_of_execution() {
+    assert_eq!(run("module m() echo(2); echo(1); m(); echo(a = 3, \"b\");").echoes, ["1", "2", "a = 3, \"b\""]);
+}
