@@ -52,9 +52,9 @@ pub(crate) struct Builder {
 }
 
 impl Builder {
-    /// A function of the point `p`.
-    pub(crate) fn new(name: &str, types: Types, result: Handle<Type>) -> Self {
-        let argument = FunctionArgument { name: Some("p".to_string()), ty: types.vec3, binding: None };
+    /// A function of the point `p`, of that type.
+    pub(crate) fn new(name: &str, types: Types, point: Handle<Type>, result: Handle<Type>) -> Self {
+        let argument = FunctionArgument { name: Some("p".to_string()), ty: point, binding: None };
         let function = Function {
             name: Some(name.to_string()),
             arguments: vec![argument],

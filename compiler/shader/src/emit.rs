@@ -35,7 +35,14 @@ pub(crate) struct Emitted {
     pub(crate) module: Module,
     pub(crate) tables: Tables,
     /// The functions that stand for the graph, callees first.
-    pub(crate) functions: Vec<Handle<Function>>,
+    pub(crate) functions: Vec<OwnFunction>,
+}
+
+/// A function that stands for some of the graph.
+pub(crate) struct OwnFunction {
+    pub(crate) handle: Handle<Function>,
+    /// What a reader should know of it; of `scene.wgsl`'s functions, that text knows.
+    pub(crate) comment: &'static str,
 }
 
 /// Emits `scene_distance` and `scene_surface` in the place of a template's stubs.
@@ -76,10 +83,12 @@ struct Emission<'g> {
     paints: paints::Paints,
     tables: TablesBuilder,
     tables_variable: Option<Handle<GlobalVariable>>,
+    /// The functions of outlines and polytopes.
+    pieces: FxHashMap<pieces::Key, Handle<Function>>,
     /// How many pieces of outlines and polytopes have become straight-line code.
     unrolled: usize,
     /// The functions that stand for the graph.
-    functions: Vec<Handle<Function>>,
+    functions: Vec<OwnFunction>,
     /// The node being evaluated, for diagnostics.
     current: Option<Span>,
     failure: Option<Diagnostic>,
@@ -101,6 +110,7 @@ impl<'g> Emission<'g> {
             paints: paints::Paints::new(graph),
             tables: TablesBuilder::default(),
             tables_variable: None,
+            pieces: FxHashMap::default(),
             unrolled: 0,
             functions: Vec::new(),
             current: None,
@@ -113,7 +123,7 @@ impl<'g> Emission<'g> {
         let mut scope = Scope::new(self, "scene_distance", float);
         let distance = scope.distance(root);
         let function = scope.finish(distance);
-        self.functions.push(self.linker.replace("scene_distance", function));
+        self.replace("scene_distance", function);
     }
 
     fn scene_surface(&mut self, template: &Parsed) {
@@ -123,7 +133,19 @@ impl<'g> Emission<'g> {
         let mut scope = Scope::new(self, "scene_surface", result.ty);
         let surface = scope.surface(root, result.ty);
         let function = scope.finish(surface);
-        self.functions.push(self.linker.replace("scene_surface", function));
+        self.replace("scene_surface", function);
+    }
+
+    fn replace(&mut self, stub: &str, function: Function) {
+        let handle = self.linker.replace(stub, function);
+        self.functions.push(OwnFunction { handle, comment: "" });
+    }
+
+    /// Adds a function that stands for some of the graph.
+    fn define(&mut self, function: Function, comment: &'static str) -> Handle<Function> {
+        let handle = self.linker.define(function);
+        self.functions.push(OwnFunction { handle, comment });
+        handle
     }
 
     fn finish(self) -> Result<Emitted, Diagnostic> {
@@ -147,6 +169,7 @@ struct Scope<'e, 'g> {
     builder: Builder,
     points: FxHashMap<PointId, Value>,
     distances: FxHashMap<NodeId, Value>,
+    joints: FxHashMap<NodeId, blend::Joined>,
     /// Live numbers by slot.
     live: FxHashMap<usize, Value>,
     /// How nodes look, depending on how they look where nobody painted them.
@@ -157,13 +180,21 @@ struct Scope<'e, 'g> {
 }
 
 impl<'e, 'g> Scope<'e, 'g> {
+    /// A function of a point of space.
     fn new(emission: &'e mut Emission<'g>, name: &str, result: Handle<Type>) -> Self {
-        let builder = Builder::new(name, emission.types, result);
+        let point = emission.types.vec3;
+        Self::of_point(emission, name, point, result)
+    }
+
+    /// A function of a point of that type.
+    fn of_point(emission: &'e mut Emission<'g>, name: &str, point: Handle<Type>, result: Handle<Type>) -> Self {
+        let builder = Builder::new(name, emission.types, point, result);
         Self {
             emission,
             builder,
             points: FxHashMap::default(),
             distances: FxHashMap::default(),
+            joints: FxHashMap::default(),
             live: FxHashMap::default(),
             appearances: FxHashMap::default(),
             colors: FxHashMap::default(),

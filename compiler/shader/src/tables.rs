@@ -1,9 +1,6 @@
 //! What is too large for straight-line code and is read from a storage buffer.
 
-use std::sync::Arc;
-
 use chiaro_plane::{Edge, Region};
-use rustc_hash::FxHashMap;
 
 /// The rows to upload to [`TABLES`](crate::bindings::TABLES), 16 bytes each.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,6 +15,14 @@ pub(crate) struct Piece {
     pub(crate) to: [f64; 2],
     /// The centre and the sweep in radians of an arc.
     pub(crate) arc: Option<([f64; 2], f64)>,
+}
+
+impl Piece {
+    /// All that it consists of; a line has no sweep.
+    pub(crate) fn numbers(&self) -> [f64; 7] {
+        let (center, sweep) = self.arc.unwrap_or(([0.0; 2], 0.0));
+        [self.from[0], self.from[1], self.to[0], self.to[1], center[0], center[1], sweep]
+    }
 }
 
 /// The edges of all contours.
@@ -44,12 +49,10 @@ pub(crate) struct Entries {
     pub(crate) rows_each: u32,
 }
 
-/// Fills [`Tables`], each outline and polytope once.
+/// Fills [`Tables`].
 #[derive(Default)]
 pub(crate) struct TablesBuilder {
     tables: Tables,
-    /// By the address of what the entries describe.
-    known: FxHashMap<usize, Entries>,
 }
 
 impl TablesBuilder {
@@ -64,32 +67,30 @@ impl TablesBuilder {
     }
 
     /// An outline: from and to of each piece; with arcs, also centre, sweep and 0. A line's sweep is 0.
-    pub(crate) fn outline(&mut self, region: &Arc<Region>, pieces: &[Piece]) -> Entries {
+    pub(crate) fn outline(&mut self, pieces: &[Piece]) -> Entries {
         let has_arcs = pieces.iter().any(|piece| piece.arc.is_some());
-        self.entries(Arc::as_ptr(region) as usize, if has_arcs { 2 } else { 1 }, |rows| {
+        self.entries(if has_arcs { 2 } else { 1 }, |rows| {
             for piece in pieces {
-                rows.push([piece.from[0], piece.from[1], piece.to[0], piece.to[1]].map(single));
+                let [from_x, from_y, to_x, to_y, center_x, center_y, sweep] = piece.numbers().map(single);
+                rows.push([from_x, from_y, to_x, to_y]);
                 if has_arcs {
-                    let (center, sweep) = piece.arc.unwrap_or(([0.0; 2], 0.0));
-                    rows.push([center[0], center[1], sweep, 0.0].map(single));
+                    rows.push([center_x, center_y, sweep, 0.0]);
                 }
             }
         })
     }
 
     /// A polytope: the corners of each triangle.
-    pub(crate) fn polytope(&mut self, triangles: &Arc<[[[f64; 3]; 3]]>) -> Entries {
-        self.entries(Arc::as_ptr(triangles).cast::<()>() as usize, 3, |rows| {
+    pub(crate) fn polytope(&mut self, triangles: &[[[f64; 3]; 3]]) -> Entries {
+        self.entries(3, |rows| {
             rows.extend(triangles.iter().flatten().map(|&[x, y, z]| [x, y, z, 0.0].map(single)));
         })
     }
 
-    fn entries(&mut self, address: usize, rows_each: u32, add: impl FnOnce(&mut Vec<[f32; 4]>)) -> Entries {
-        *self.known.entry(address).or_insert_with(|| {
-            let first_row = self.tables.rows.len() as u32;
-            add(&mut self.tables.rows);
-            Entries { first_row, last_row: self.tables.rows.len() as u32, rows_each }
-        })
+    fn entries(&mut self, rows_each: u32, add: impl FnOnce(&mut Vec<[f32; 4]>)) -> Entries {
+        let first_row = self.tables.rows.len() as u32;
+        add(&mut self.tables.rows);
+        Entries { first_row, last_row: self.tables.rows.len() as u32, rows_each }
     }
 }
 

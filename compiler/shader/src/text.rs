@@ -9,7 +9,7 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{AddressSpace, ArraySize, Expression, Function, FunctionArgument, Handle, Module, Span, TypeInner};
 use rustc_hash::FxHashSet;
 
-use crate::emit::{Emitted, emit};
+use crate::emit::{Emitted, OwnFunction, emit};
 use crate::template::{SCENE, Template};
 
 /// The scene as a WGSL library of `scene_distance` and `scene_surface`, with what they call and nothing else.
@@ -38,8 +38,9 @@ struct Declaration {
 
 /// The declarations of the vocabulary and of `scene.wgsl` that the scene reaches, in their order.
 fn called(emitted: &Emitted, own: &str) -> Vec<Declaration> {
+    let own_functions: FxHashSet<Handle<Function>> = emitted.functions.iter().map(|own| own.handle).collect();
     let functions: FxHashSet<&str> = (emitted.module.functions.iter())
-        .filter(|(handle, _)| !emitted.functions.contains(handle))
+        .filter(|(handle, _)| !own_functions.contains(handle))
         .filter_map(|(_, function)| function.name.as_deref())
         .collect();
     let mut mentioned: FxHashSet<&str> = words(own).collect();
@@ -115,11 +116,11 @@ fn own_text(emitted: &Emitted) -> Result<String, Diagnostic> {
         *function = blanked(function);
     }
     let mut text = String::new();
-    for &handle in &emitted.functions {
+    for &OwnFunction { handle, comment } in &emitted.functions {
         let function = &emitted.module.functions[handle];
         let printed = printed(&mut blank, handle, function)
             .map_err(|error| Diagnostic::error(None, format!("this scene makes invalid WGSL: {error}")))?;
-        text += comment(function);
+        text += if comment.is_empty() { stub_comment(function) } else { comment };
         text += &unwrapped(&renamed(&printed, function));
         text += "\n";
     }
@@ -155,13 +156,10 @@ fn printed(blank: &mut Module, handle: Handle<Function>, function: &Function) ->
     Ok(text[start..start + end + "\n}\n".len()].to_string())
 }
 
-/// The comment above a function that stands for the graph.
-fn comment(function: &Function) -> &'static str {
+/// What `scene.wgsl` says about the function.
+fn stub_comment(function: &Function) -> &'static str {
     let stub = declarations(SCENE).find(|stub| Some(stub.name) == function.name.as_deref());
-    match stub.and_then(|stub| stub.text.find("fn ").map(|end| &stub.text[..end])) {
-        Some(comment) => comment,
-        None => "// The distance to some of the scene's shapes, in millimetres.\n",
-    }
+    stub.and_then(|stub| stub.text.split_once("fn ")).map_or("", |(comment, _)| comment)
 }
 
 /// The text with the results of calls by their names: naga writes `_e7` for expression 7, whatever its name.

@@ -131,7 +131,8 @@ fn path(pixel: vec2<u32>, start: f32) -> vec4<f32> {
     let sample = view.size.z;
     let seed = hash(pixel.x, pixel.y);
     let point = vec2<f32>(pixel) + 0.5 + tent(unit_square(seed, sample, 0u));
-    let from_centre = (2.0 * point - vec2<f32>(view.size.xy)) / f32(min(view.size.x, view.size.y));
+    let size = vec2<f32>(view.size.xy);
+    let from_centre = (2.0 * point - size) / length(size);
     let background = backdrop(vec2<f32>(from_centre.x, -from_centre.y));
     var segment = Segment(camera_ray(point), start, vec2<f32>(view.box_min.w, HIT * view.forward.w), 1.0, false);
 

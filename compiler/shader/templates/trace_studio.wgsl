@@ -61,10 +61,11 @@ fn ambient(n: vec3<f32>) -> vec3<f32> {
     return mix(vec3<f32>(0.34, 0.34, 0.35), vec3<f32>(0.62, 0.64, 0.67), 0.5 + 0.5 * n.z);
 }
 
-/// What the camera sees behind everything, at a point of the picture from (−1, −1) to (1, 1) in its shorter half.
+/// What the camera sees behind everything, at a point of the picture, whose corners are at a distance of 1 from its
+/// centre.
 fn backdrop(point: vec2<f32>) -> vec3<f32> {
-    let from_centre = point - vec2<f32>(0.0, -0.15);
-    let falloff = 1.0 / (1.0 + 0.20 * dot(from_centre, from_centre));
+    let from_centre = point - vec2<f32>(0.0, -0.08);
+    let falloff = 1.0 / (1.0 + 0.42 * dot(from_centre, from_centre));
     return vec3<f32>(0.86, 0.87, 0.885) * falloff;
 }
 

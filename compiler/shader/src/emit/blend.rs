@@ -1,6 +1,6 @@
 //! Booleans: sharp ones are chains of minima or maxima, joints the formula of the vocabulary.
 
-use chiaro_field::{NodeId, Operation};
+use chiaro_field::{Node, NodeId, Operation};
 use chiaro_solid::{Joint, Profile};
 use chiaro_vocabulary::rows::{JOINT_CHAMFER, JOINT_FILLET, JOINT_SMOOTH, JOINT_STEP, JOINT_TERM, joint_steps};
 use naga::MathFunction;
@@ -12,6 +12,7 @@ use crate::build::Value;
 const NAMED_EVERY: usize = 8;
 
 /// The operands of a joint as those of a union, and what solves it.
+#[derive(Clone)]
 pub(super) struct Joined {
     /// The operands' distances; the opposites, of an intersection.
     pub(super) distances: Vec<Value>,
@@ -24,15 +25,19 @@ pub(super) struct Joined {
 impl Scope<'_, '_> {
     /// The least or greatest of the children.
     pub(super) fn sharp(&mut self, id: NodeId, operation: Operation, children: &[NodeId]) -> Value {
-        let groups = match self.emission.parts.is_large(id) {
-            true => self.emission.groups(children),
-            false => vec![children.to_vec()],
+        let value = match self.emission.parts.is_large(id) {
+            true => self.reduced_by_parts(operation, children),
+            false => self.reduced_here(operation, children),
         };
-        let values: Vec<Value> = groups.iter().map(|group| self.reduced(operation, group)).collect();
-        let value = self.chain(operation, &values);
+        let nodes = &self.emission.graph.nodes;
         let prefix = match operation {
-            Operation::Union => "joined",
-            Operation::Intersection => "common",
+            Operation::Union => "union",
+            Operation::Intersection => {
+                match children.iter().any(|child| matches!(nodes[child.0 as usize], Node::Negate(_))) {
+                    true => "difference",
+                    false => "intersection",
+                }
+            }
         };
         self.name_node(value, id, prefix)
     }
@@ -51,17 +56,23 @@ impl Scope<'_, '_> {
         })
     }
 
-    /// The joint of the children.
-    pub(super) fn joined(&mut self, operation: Operation, joint: &Joint, children: &[NodeId]) -> Value {
-        let Joined { joint, .. } = self.joint(operation, joint, children);
+    /// The joint of the children of this node.
+    pub(super) fn joined(&mut self, id: NodeId, operation: Operation, joint: &Joint, children: &[NodeId]) -> Value {
+        let joint = self.joint(id, operation, joint, children).joint;
         match operation {
             Operation::Union => joint,
-            Operation::Intersection => self.builder.negate(joint),
+            Operation::Intersection => {
+                let opposite = self.builder.negate(joint);
+                self.name(opposite, "common")
+            }
         }
     }
 
-    /// The joint of the children as that of a union.
-    pub(super) fn joint(&mut self, operation: Operation, joint: &Joint, children: &[NodeId]) -> Joined {
+    /// The joint of the children of this node as that of a union.
+    pub(super) fn joint(&mut self, id: NodeId, operation: Operation, joint: &Joint, children: &[NodeId]) -> Joined {
+        if let Some(known) = self.joints.get(&id) {
+            return known.clone();
+        }
         let distances: Vec<Value> = (children.iter())
             .map(|child| {
                 let distance = self.distance(*child);
@@ -88,22 +99,30 @@ impl Scope<'_, '_> {
             }
             _ => self.joint_of_many(&distances, radius, exponent),
         };
-        Joined { distances, joint, radius, exponent }
+        let joint = self.name_node(joint, id, "joint");
+        let joined = Joined { distances, joint, radius, exponent };
+        self.joints.insert(id, joined.clone());
+        joined
     }
 
     fn joint_of_many(&mut self, distances: &[Value], radius: Value, exponent: Value) -> Value {
         let least = self.chain(Operation::Union, distances);
         let least = self.name(least, "least");
         let zero = self.builder.literal(0.0);
-        (0..joint_steps(distances.len())).fold(least, |x, _| {
-            let start = self.builder.vector(&[zero, zero]);
+        let start = self.builder.vector(&[zero, zero]);
+        let start = self.name(start, "no_terms");
+        let mut estimate = least;
+        for step in 0..joint_steps(distances.len()) {
+            if step > 0 {
+                estimate = self.name(estimate, "estimate");
+            }
             let state = distances.iter().fold(start, |state, &distance| {
-                let state = self.call(&JOINT_TERM, &[state, distance, x, radius, exponent]);
+                let state = self.call(&JOINT_TERM, &[state, distance, estimate, radius, exponent]);
                 self.name(state, "terms")
             });
-            let step = self.call(&JOINT_STEP, &[state, x, radius]);
-            self.name(step, "estimate")
-        })
+            estimate = self.call(&JOINT_STEP, &[state, estimate, radius]);
+        }
+        estimate
     }
 
     /// The opposite of a value, by a name: it is used many times.

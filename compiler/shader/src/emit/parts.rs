@@ -57,34 +57,49 @@ impl Parts {
         self.is_divided && self.is_shared(id) && self.weight(id) >= LARGE_SHARED
     }
 
+    /// Whether there is a function for these nodes.
+    fn is_part(&self, operation: Operation, nodes: &[NodeId]) -> bool {
+        self.is_divided && self.functions.contains_key(&(operation, nodes.to_vec()))
+    }
+
     fn weight(&self, id: NodeId) -> u32 {
         self.weights[id.0 as usize]
     }
 
-    /// Consecutive nodes in chunks, each for one function or, if it is a single node, by itself.
-    fn chunks(&self, nodes: &[NodeId]) -> Vec<Vec<NodeId>> {
-        let mut chunks: Vec<Vec<NodeId>> = Vec::new();
+    fn weight_of(&self, nodes: &[NodeId]) -> u32 {
+        nodes.iter().fold(0_u32, |sum, node| sum.saturating_add(self.weight(*node)))
+    }
+
+    /// Lists of nodes, each for one function or, if it is a single node, by itself: as few as the order allows.
+    fn packed(&self, lists: impl Iterator<Item = Vec<NodeId>>) -> Vec<Vec<NodeId>> {
+        let mut packed: Vec<Vec<NodeId>> = Vec::new();
         let mut room = 0;
-        for &node in nodes {
-            let weight = self.weight(node);
-            match chunks.last_mut() {
-                Some(chunk) if weight <= room => {
-                    chunk.push(node);
+        for mut list in lists {
+            let weight = self.weight_of(&list);
+            match packed.last_mut() {
+                Some(last) if weight <= room => {
+                    last.append(&mut list);
                     room -= weight;
                 }
                 _ => {
-                    chunks.push(vec![node]);
+                    packed.push(list);
                     room = LARGE.saturating_sub(weight);
                 }
             }
         }
-        chunks
+        packed
+    }
+
+    /// The nodes, which look the same, in lists for one function each.
+    fn lists(&self, nodes: &[NodeId]) -> Vec<Vec<NodeId>> {
+        self.packed(nodes.iter().map(|node| vec![*node]))
     }
 }
 
 impl Emission<'_> {
-    /// The operands of a large sharp Boolean in the groups that `scene_surface` asks for too, by their material.
-    pub(super) fn groups(&self, nodes: &[NodeId]) -> Vec<Vec<NodeId>> {
+    /// The operands of a large sharp Boolean in lists for one function each: where they can be, those that
+    /// `scene_surface` asks for too, by material.
+    fn lists_by_material(&self, nodes: &[NodeId]) -> Vec<Vec<NodeId>> {
         let mut groups: Vec<Vec<NodeId>> = Vec::new();
         let mut group_of = FxHashMap::default();
         for &node in nodes {
@@ -94,30 +109,39 @@ impl Emission<'_> {
             });
             groups[group].push(node);
         }
-        groups
+        self.parts.packed(groups.iter().flat_map(|group| self.parts.lists(group)))
     }
 }
 
 impl Scope<'_, '_> {
-    /// The least or greatest of the nodes: evaluated here if they are few, else by functions.
+    /// The least or greatest of the nodes, which look the same: evaluated here if they are few, else by functions.
     pub(super) fn reduced(&mut self, operation: Operation, nodes: &[NodeId]) -> Value {
-        let parts = &self.emission.parts;
-        let weight = nodes.iter().fold(0_u32, |sum, node| sum.saturating_add(parts.weight(*node)));
-        if weight <= LARGE {
-            return self.reduced_here(operation, nodes);
+        let lists = self.emission.parts.lists(nodes);
+        match &lists[..] {
+            [list] if !self.emission.parts.is_part(operation, list) => self.reduced_here(operation, list),
+            _ => self.reduced_by_lists(operation, lists),
         }
-        let chunks = parts.chunks(nodes);
-        let values: Vec<Value> = (chunks.into_iter())
-            .map(|chunk| match chunk[..] {
-                [node] => self.distance(node),
-                _ => self.by_part(operation, chunk),
-            })
-            .collect();
+    }
+
+    /// The least or greatest of the nodes, by functions.
+    pub(super) fn reduced_by_parts(&mut self, operation: Operation, nodes: &[NodeId]) -> Value {
+        let lists = self.emission.lists_by_material(nodes);
+        self.reduced_by_lists(operation, lists)
+    }
+
+    /// The least or greatest of the nodes, evaluated here.
+    pub(super) fn reduced_here(&mut self, operation: Operation, nodes: &[NodeId]) -> Value {
+        let values: Vec<Value> = nodes.iter().map(|node| self.distance(*node)).collect();
         self.chain(operation, &values)
     }
 
-    fn reduced_here(&mut self, operation: Operation, nodes: &[NodeId]) -> Value {
-        let values: Vec<Value> = nodes.iter().map(|node| self.distance(*node)).collect();
+    fn reduced_by_lists(&mut self, operation: Operation, lists: Vec<Vec<NodeId>>) -> Value {
+        let values: Vec<Value> = (lists.into_iter())
+            .map(|list| match list[..] {
+                [node] => self.distance(node),
+                _ => self.by_part(operation, list),
+            })
+            .collect();
         self.chain(operation, &values)
     }
 
@@ -140,8 +164,7 @@ impl Scope<'_, '_> {
                     _ => scope.reduced_here(operation, &key.1),
                 };
                 let function = scope.finish(value);
-                let function = self.emission.linker.define(function);
-                self.emission.functions.push(function);
+                let function = self.emission.define(function, "// The distance to some of the scene's shapes.\n");
                 self.emission.parts.functions.insert(key, function);
                 function
             }

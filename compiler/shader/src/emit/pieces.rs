@@ -1,6 +1,5 @@
-//! Outlines and polytopes: reductions over their pieces, unrolled if there are few and loops over a table otherwise.
-
-use std::sync::Arc;
+//! Outlines and polytopes: each a function of its own, however often it occurs, that reduces its pieces. It is unrolled
+//! if they are few and otherwise a loop over a table.
 
 use chiaro_plane::Region;
 use chiaro_vocabulary::rows::{
@@ -65,25 +64,71 @@ impl Emission<'_> {
     }
 }
 
+/// The number of coordinates and the bits of all numbers of an outline or a polytope.
+pub(super) type Key = (usize, Vec<u64>);
+
 impl Scope<'_, '_> {
     /// The distance to a region.
-    pub(super) fn outline(&mut self, region: &Arc<Region>, point: Value) -> Value {
+    pub(super) fn outline(&mut self, region: &Region, point: Value) -> Value {
         let pieces = pieces(region);
+        let key = (2, pieces.iter().flat_map(Piece::numbers).map(f64::to_bits).collect());
+        let vec2 = self.emission.types.vec2;
+        let comment = "// An outline that the scene draws.\n";
+        self.call_pieces(point, key, ("region", vec2, comment), |scope| scope.outline_here(&pieces))
+    }
+
+    /// The distance to a polytope.
+    pub(super) fn polytope(&mut self, triangles: &[[[f64; 3]; 3]], point: Value) -> Value {
+        let key = (3, triangles.iter().flatten().flatten().map(|number| number.to_bits()).collect());
+        let vec3 = self.emission.types.vec3;
+        let comment = "// A convex polytope of the scene.\n";
+        self.call_pieces(point, key, ("hull", vec3, comment), |scope| scope.polytope_here(triangles))
+    }
+
+    /// Calls the function for pieces with that key, which is emitted, as described, if it does not exist.
+    fn call_pieces(
+        &mut self,
+        point: Value,
+        key: Key,
+        (prefix, point_type, comment): (&'static str, Handle<Type>, &'static str),
+        emit: impl FnOnce(&mut Scope) -> Value,
+    ) -> Value {
+        let function = match self.emission.pieces.get(&key) {
+            Some(&function) => function,
+            None => {
+                let name = self.emission.names.next(prefix);
+                let float = self.emission.types.float;
+                let mut scope = Scope::of_point(self.emission, &name, point_type, float);
+                let value = emit(&mut scope);
+                let function = scope.finish(value);
+                let function = self.emission.define(function, comment);
+                self.emission.pieces.insert(key, function);
+                function
+            }
+        };
+        self.builder.call(function, &[point])
+    }
+
+    fn outline_here(&mut self, pieces: &[Piece]) -> Value {
+        let point = self.builder.argument();
         let start = self.call(&OUTLINE_START, &[]);
+        let start = self.name(start, "edges");
         let state = match self.emission.unroll(pieces.len(), MAX_UNROLLED_PIECES) {
             true => pieces.iter().fold(start, |state, piece| self.piece(state, point, piece)),
             false => {
-                let entries = self.emission.tables.outline(region, &pieces);
+                let entries = self.emission.tables.outline(pieces);
                 self.emission.check_tables();
                 self.reduction(start, entries, |scope, state, rows| scope.piece_of_rows(state, point, rows))
             }
         };
-        self.call(&OUTLINE_END, &[state])
+        let distance = self.call(&OUTLINE_END, &[state]);
+        self.name(distance, "outline")
     }
 
-    /// The distance to a polytope.
-    pub(super) fn polytope(&mut self, triangles: &Arc<[[[f64; 3]; 3]]>, point: Value) -> Value {
+    fn polytope_here(&mut self, triangles: &[[[f64; 3]; 3]]) -> Value {
+        let point = self.builder.argument();
         let start = self.call(&POLYTOPE_START, &[]);
+        let start = self.name(start, "faces");
         let state = match self.emission.unroll(triangles.len(), MAX_UNROLLED_TRIANGLES) {
             true => triangles.iter().fold(start, |state, corners| {
                 let [a, b, c] = corners.each_ref().map(|corner| self.constants(corner));
@@ -100,7 +145,8 @@ impl Scope<'_, '_> {
                 })
             }
         };
-        self.call(&POLYTOPE_END, &[state])
+        let distance = self.call(&POLYTOPE_END, &[state]);
+        self.name(distance, "polytope")
     }
 
     /// The state behind one piece of an outline.

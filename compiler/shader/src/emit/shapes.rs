@@ -52,10 +52,7 @@ impl Scope<'_, '_> {
                 self.name_node(distance, id, "polytope")
             }
             Node::Boolean(operation, None, children) => self.sharp(id, *operation, children),
-            Node::Boolean(operation, Some(joint), children) => {
-                let distance = self.joined(*operation, joint, children);
-                self.name_node(distance, id, "joint")
-            }
+            Node::Boolean(operation, Some(joint), children) => self.joined(id, *operation, joint, children),
             Node::Negate(child) => {
                 let distance = self.distance(*child);
                 let opposite = self.builder.negate(distance);

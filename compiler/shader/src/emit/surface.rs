@@ -66,7 +66,7 @@ impl Scope<'_, '_> {
                 match (&alike[..], joint) {
                     ([only], _) => only.appearance,
                     (_, None) => Appearance::Evaluated(self.foremost(*operation, operands, &alike)),
-                    (_, Some(joint)) => Appearance::Evaluated(self.blended(*operation, joint, operands, &alike)),
+                    (_, Some(joint)) => Appearance::Evaluated(self.blended(id, *operation, joint, operands, &alike)),
                 }
             }
             node => match node.children() {
@@ -146,8 +146,15 @@ impl Scope<'_, '_> {
     }
 
     /// The looks, each by its operands' weights in the joint.
-    fn blended(&mut self, operation: Operation, joint: &Joint, operands: &[NodeId], alike: &[Alike]) -> Look {
-        let joined = self.joint(operation, joint, operands);
+    fn blended(
+        &mut self,
+        id: NodeId,
+        operation: Operation,
+        joint: &Joint,
+        operands: &[NodeId],
+        alike: &[Alike],
+    ) -> Look {
+        let joined = self.joint(id, operation, joint, operands);
         let weighted: Vec<(Value, Value, Value)> = (alike.iter())
             .map(|group| {
                 let weight = self.weight(&joined, group);

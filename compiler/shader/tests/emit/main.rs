@@ -177,8 +177,8 @@ fn scene_distance(p: vec3<f32>) -> f32 {
     let box_a = sd_box(p, vec3<f32>(5f, 5f, 5f));
     let point_a = p - vec3<f32>(10f, 0f, 0f);
     let sphere_a = sd_sphere(point_a, 5f);
-    let joined_a = min(box_a, sphere_a);
-    return joined_a;
+    let union_a = min(box_a, sphere_a);
+    return union_a;
 }
 
 // The material of the surface at p.
