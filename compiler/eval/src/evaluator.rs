@@ -63,6 +63,8 @@ pub(crate) struct Evaluator<'t> {
     /// The first instance marked by `!`, and its place in the order of instances.
     pub(crate) root: Option<(u64, Arc<Solid>)>,
     pub(crate) instances: u64,
+    /// Where live numbers would have to be known.
+    pub(crate) demotions: Vec<Demotion>,
     pub(crate) diagnostics: Vec<Diagnostic>,
     pub(crate) echoes: Vec<Diagnostic>,
     pub(crate) units: FxHashMap<FileIndex, Unit>,
@@ -121,6 +123,7 @@ impl<'t> Evaluator<'t> {
             undecided: Vec::new(),
             root: None,
             instances: 0,
+            demotions: Vec::new(),
             diagnostics: Vec::new(),
             echoes: Vec::new(),
             units: FxHashMap::default(),
@@ -284,6 +287,19 @@ impl<'t> Evaluator<'t> {
     pub(crate) fn warn(&mut self, warning: Diagnostic) {
         let warning = self.with_calls(warning);
         self.say(warning);
+    }
+
+    /// Goes on behind a statement that came to nothing. After a demotion that serves to find more of them: the whole
+    /// evaluation starts again after it.
+    pub(crate) fn set_aside(&mut self, halt: Halt) -> Result<()> {
+        match halt {
+            Halt::Reported => Ok(()),
+            Halt::Demote(demotion) => {
+                self.demotions.push(*demotion);
+                Ok(())
+            }
+            Halt::Abort => Err(Halt::Abort),
+        }
     }
 
     /// Takes in why a built-in module made no solid.

@@ -60,11 +60,7 @@ impl<'t> Evaluator<'t> {
     /// Evaluates a block's assignments.
     pub(crate) fn assignments(&mut self, plan: &Plan<'t>, scope: &Rc<Scope>) -> Result<()> {
         for assignment in &plan.assignments {
-            let slot = match self.expression(assignment.value(), scope) {
-                Ok(value) => Some(value),
-                Err(Halt::Reported) => None,
-                Err(halt) => return Err(halt),
-            };
+            let slot = self.slot(assignment.value(), scope)?;
             let name = assignment.first.name.node.clone();
             if Specials::is_special(&name) {
                 self.specials.set(name, slot);
@@ -89,8 +85,7 @@ impl<'t> Evaluator<'t> {
             let Some(instance) = plan.instances.get(at) else { continue };
             match self.instance(instance, scope) {
                 Ok(result) => built.extend(result),
-                Err(Halt::Reported) => {}
-                Err(halt) => return Err(halt),
+                Err(halt) => self.set_aside(halt)?,
             }
         }
         Ok(built)

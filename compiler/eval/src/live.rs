@@ -31,18 +31,28 @@ pub(crate) struct Structural {
 }
 
 impl Structural {
-    /// Makes the parameters in a number structural. Answers whether there was any.
-    pub(crate) fn demote(&mut self, demotion: &Demotion, parameters: &[LiveParameter]) -> bool {
+    /// Makes the parameters in some numbers structural, and if there are any, perhaps all others too. Answers whether
+    /// there are any.
+    pub(crate) fn demote(&mut self, demotions: &[Demotion], parameters: &[LiveParameter], all: bool) -> bool {
         let before = self.keys.len();
-        demotion.number.visit_parameters(&mut |ParameterId(id)| {
-            let Some(parameter) = parameters.get(id as usize) else { return };
-            let key = (parameter.name.clone(), parameter.component);
-            if !self.keys.contains(&key) {
-                self.notes.push(note(parameter, demotion));
-                self.keys.push(key);
-            }
-        });
+        for demotion in demotions {
+            demotion.number.visit_parameters(&mut |ParameterId(id)| {
+                let Some(parameter) = parameters.get(id as usize) else { return };
+                self.add(parameter, demotion);
+            });
+        }
+        if let Some(last) = demotions.last().filter(|_| all) {
+            parameters.iter().for_each(|parameter| self.add(parameter, last));
+        }
         self.keys.len() > before
+    }
+
+    fn add(&mut self, parameter: &LiveParameter, demotion: &Demotion) {
+        let key = (parameter.name.clone(), parameter.component);
+        if !self.keys.contains(&key) {
+            self.notes.push(note(parameter, demotion));
+            self.keys.push(key);
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use crate::Facets;
 
 /// The stack, in bytes, that the thread which calls [`evaluate`](crate::evaluate) needs, so that scenes may recurse
 /// as deeply as [`Limits`] allow.
-pub const STACK_BYTES: usize = 1 << 30;
+pub const STACK_BYTES: usize = 1 << 29;
 
 /// Where scenes come from: a file system, an editor's buffers, or a map in a test.
 pub trait World: Sync {

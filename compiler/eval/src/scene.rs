@@ -6,12 +6,13 @@ use chiaro_solid::{Camera, Scalar, Scene};
 use chiaro_syntax::tree::{Expression, Statement};
 use chiaro_syntax::{Diagnostic, FileId, Severity, SourceFile, Sources, Span, parse};
 
-use crate::evaluator::{Evaluator, Halt, Result, Unit};
+use crate::evaluator::{Evaluator, Result, Unit};
+use crate::geometry::Demotion;
 use crate::live::{Live, Structural};
 use crate::load::{FileIndex, load};
 use crate::options::{Options, World};
 use crate::plan::Plan;
-use crate::scope::{Scope, Specials};
+use crate::scope::{Scope, Slot, Specials};
 use crate::suggest;
 use crate::value::Value;
 
@@ -24,6 +25,9 @@ pub struct Evaluation {
     /// order of the text.
     pub diagnostics: Vec<Diagnostic>,
 }
+
+/// How often a scene is evaluated to find out which parameters decide its structure, before all are taken to do so.
+const MOST_ROUNDS: usize = 10;
 
 /// A variable set from outside.
 struct Definition {
@@ -42,19 +46,21 @@ pub fn evaluate(world: &dyn World, sources: &mut Sources, main: FileId, options:
     let library = load(world, sources, main, &options.limits, &mut diagnostics);
     let definitions = definitions(sources, options, &mut diagnostics);
     let mut structural = Structural::default();
-    // Each round makes at least one parameter structural, and the last ones all that are left.
+    // Each round makes at least one parameter structural, and the last one all that are left.
+    let mut round = 0;
     loop {
+        round += 1;
         let mut evaluator = Evaluator::new(&library, sources, options, Live::new(&structural));
         let result = evaluator.scene(&definitions);
         let parameters = std::mem::take(&mut evaluator.live.parameters);
         let reports = std::mem::take(&mut evaluator.diagnostics);
         let echoes = std::mem::take(&mut evaluator.echoes);
+        let demotions = std::mem::take(&mut evaluator.demotions);
         drop(evaluator);
-        if let Err(Halt::Demote(demotion)) = &result
-            && structural.demote(demotion, &parameters)
-        {
+        if structural.demote(&demotions, &parameters, round >= MOST_ROUNDS) {
             continue;
         }
+        diagnostics.extend(demotions.iter().map(unknown_number));
         diagnostics.extend(reports);
         diagnostics.append(&mut structural.notes);
         diagnostics.sort_by_key(|diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
@@ -63,6 +69,12 @@ pub fn evaluate(world: &dyn World, sources: &mut Sources, main: FileId, options:
         let scene = result.ok().filter(|_| !failed).map(|(root, camera)| Scene { root, camera, parameters });
         return Evaluation { scene, diagnostics };
     }
+}
+
+/// That a number has to be known which no parameter explains. A number that was asked for is live, so that this is
+/// never said; but a scene must not lack a part silently.
+fn unknown_number(demotion: &Demotion) -> Diagnostic {
+    Diagnostic::error(demotion.span, "this number has to be known here").with_label(demotion.reason)
 }
 
 /// Parses the definitions from outside. Each becomes a file of its own, so that messages can point into it.
@@ -154,11 +166,11 @@ impl<'t> Evaluator<'t> {
         Ok(())
     }
 
-    fn slot(&mut self, value: &Expression, scope: &Rc<Scope>) -> Result<Option<Value>> {
+    /// What a variable is to stand for.
+    pub(crate) fn slot(&mut self, value: &Expression, scope: &Rc<Scope>) -> Result<Slot> {
         match self.expression(value, scope) {
             Ok(value) => Ok(Some(value)),
-            Err(Halt::Reported) => Ok(None),
-            Err(halt) => Err(halt),
+            Err(halt) => self.set_aside(halt).map(|()| None),
         }
     }
 
