@@ -150,10 +150,12 @@ pub mod degrees {
         sin(angle.rem_euclid(360.0) + 90.0)
     }
 
-    /// The tangent; exact at multiples of 45°.
+    /// The tangent; exact at multiples of 45°, and the nearest number at those of 30°.
     pub fn tan(angle: f64) -> f64 {
         match angle.rem_euclid(180.0) {
-            0.0 => 0.0,
+            0.0 => 0f64.copysign(cos(angle)),
+            30.0 => 3f64.sqrt() / 3.0,
+            150.0 => -3f64.sqrt() / 3.0,
             45.0 => 1.0,
             90.0 => f64::INFINITY.copysign(90.0 - angle.rem_euclid(360.0) + 1.0),
             135.0 => -1.0,
@@ -182,9 +184,9 @@ pub mod degrees {
         exact(angle, |rounded| (rounded - angle).abs() < 1e-13 * 360.0)
     }
 
-    /// The nearest multiple of 15° if it fits, else the angle as it is.
+    /// The nearest whole degree if it fits, else the angle as it is.
     fn exact(angle: f64, fits: impl Fn(f64) -> bool) -> f64 {
-        let rounded = (angle / 15.0).round() * 15.0;
+        let rounded = angle.round();
         if (rounded - angle).abs() < 1e-9 && fits(rounded) { rounded } else { angle }
     }
 
