@@ -1,6 +1,4 @@
-//! How far solids reach: exact boxes for `resize`, and sides of the axis for `rotate_extrude`.
-
-use std::sync::Arc;
+//! How far solids reach: boxes around them, and sides of the axis for `rotate_extrude`.
 
 use chiaro_plane::Region;
 use chiaro_solid::{Affine, Boolean, Scalar, Solid, SolidKind};
@@ -24,7 +22,7 @@ const TOLERANCE: f64 = 1e-5;
 
 /// Where a plane shape lies, as far as boxes around it tell, for all values of live numbers.
 pub(super) fn side_of_axis(solid: &Solid) -> Extent {
-    side(horizontal(solid))
+    side(outer_box(solid).axis(0))
 }
 
 /// Where an outline lies.
@@ -43,25 +41,47 @@ fn side(x: Interval) -> Extent {
     }
 }
 
-/// A range that holds the x of all points of a plane shape.
-fn horizontal(solid: &Solid) -> Interval {
-    plane_box(solid).axis(0)
-}
-
-/// A box around a plane shape, for all values of live numbers.
-fn plane_box(solid: &Solid) -> Bounds {
+/// A box around a solid, for all values of live numbers; perhaps not the smallest. That of a plane shape is all of z.
+pub(super) fn outer_box(solid: &Solid) -> Bounds {
     match &solid.kind {
+        SolidKind::Empty => Bounds::EMPTY,
         SolidKind::Shape(row, arguments) => (row.bounds)(&arguments.iter().map(Scalar::range).collect::<Vec<_>>()),
         SolidKind::Region(region) => region_box(region),
-        SolidKind::Boolean { operation: Boolean::Difference, children, .. } => plane_box(&children[0]),
-        SolidKind::Boolean { children, .. } => {
-            children.iter().fold(Bounds::EMPTY, |all, child| all.union(&plane_box(child)))
+        SolidKind::SphereHull(balls) => {
+            let ball = |(center, radius): &([Scalar; 3], Scalar)| {
+                let [x, y, z] = [0, 1, 2].map(|axis| center[axis].range());
+                Bounds::new(x, y, z).inflate(radius.range().max)
+            };
+            balls.iter().map(ball).fold(Bounds::EMPTY, |all, ball| all.union(&ball))
         }
-        SolidKind::Transform(map, child) => image(map, &plane_box(child)),
-        SolidKind::Paint(_, child) => plane_box(child),
-        SolidKind::Offset(by, child) => plane_box(child).inflate(by.range().max.max(0.0)),
-        SolidKind::Shell(thickness, child) => plane_box(child).inflate(0.5 * thickness.range().max),
-        _ => Bounds::ALL,
+        SolidKind::Boolean { operation, joint, children } => {
+            let boxes = children.iter().map(|child| outer_box(child));
+            let bounds = match operation {
+                Boolean::Difference => outer_box(&children[0]),
+                Boolean::Union => boxes.fold(Bounds::EMPTY, |all, child| all.union(&child)),
+                Boolean::Intersection => boxes.fold(Bounds::ALL, |common, child| common.intersection(&child)),
+            };
+            // Where surfaces coincide, a joint bulges by less than its radius.
+            bounds.inflate(joint.as_ref().map_or(0.0, |joint| joint.radius.range().max))
+        }
+        SolidKind::Transform(map, child) => image(map, &outer_box(child)),
+        SolidKind::Paint(_, child) => outer_box(child),
+        SolidKind::Offset(by, child) => outer_box(child).inflate(by.range().max.max(0.0)),
+        SolidKind::Shell(thickness, child) => outer_box(child).inflate(0.5 * thickness.range().max),
+        SolidKind::Extrude { height, twist, scale, child } if is_straight(twist, scale) => {
+            let (base, top) = (outer_box(child), height.range().max);
+            Bounds::new(base.axis(0), base.axis(1), Interval::new(0.0, top))
+        }
+        SolidKind::Revolve { child, .. } => {
+            let profile = outer_box(child);
+            let around = Interval::new(-profile.max[0], profile.max[0]);
+            Bounds::new(around, around, profile.axis(1))
+        }
+        SolidKind::Slice(child) => {
+            let bounds = outer_box(child);
+            Bounds::new(bounds.axis(0), bounds.axis(1), Interval::ALL)
+        }
+        SolidKind::Extrude { .. } | SolidKind::Twist(..) => Bounds::ALL,
     }
 }
 
@@ -78,85 +98,4 @@ fn image(map: &Affine, bounds: &Bounds) -> Bounds {
         (0..3).fold(row[3].range(), |sum, j| if row[j].is(0.0) { sum } else { sum + row[j].range() * bounds.axis(j) })
     };
     if bounds.is_empty() { *bounds } else { Bounds::new(axis(0), axis(1), axis(2)) }
-}
-
-/// The smallest box around a solid without live numbers, if it is known. That of a plane shape is all of z.
-pub(super) fn exact_box(solid: &Arc<Solid>) -> Option<Bounds> {
-    match &solid.kind {
-        SolidKind::Shape(row, arguments) => {
-            let arguments: Option<Vec<f64>> = arguments.iter().map(Scalar::constant).collect();
-            let arguments: Vec<Interval> = arguments?.into_iter().map(Interval::point).collect();
-            fits_its_box(row.name).then(|| (row.bounds)(&arguments))
-        }
-        SolidKind::Region(region) => Some(region_box(region)),
-        SolidKind::Boolean { operation: Boolean::Union, joint: None, children } => {
-            children.iter().try_fold(Bounds::EMPTY, |all, child| Some(all.union(&exact_box(child)?)))
-        }
-        SolidKind::Transform(map, child) if keeps_axes(map) => Some(image(map, &exact_box(child)?)),
-        SolidKind::Transform(map, child) => corners_box(map, child),
-        SolidKind::Paint(_, child) => exact_box(child),
-        SolidKind::Offset(by, child) => {
-            by.constant().filter(|by| *by > 0.0).and_then(|by| Some(exact_box(child)?.inflate(by)))
-        }
-        SolidKind::Extrude { height, twist, scale, child } if is_straight(twist, scale) => {
-            let base = exact_box(child)?;
-            Some(Bounds::new(base.axis(0), base.axis(1), Interval::new(0.0, height.constant()?)))
-        }
-        SolidKind::Revolve { sweep: None, facets: None, child } => {
-            let profile = exact_box(child)?;
-            let (radius, z) = (profile.max[0], profile.axis(1));
-            Some(Bounds::new(Interval::new(-radius, radius), Interval::new(-radius, radius), z))
-        }
-        _ => None,
-    }
-}
-
-/// Whether the table's box of a shape is the smallest.
-fn fits_its_box(shape: &str) -> bool {
-    let shapes = [
-        "sphere",
-        "box",
-        "cylinder",
-        "cone",
-        "torus",
-        "capsule",
-        "ellipsoid",
-        "box_frame",
-        "octahedron",
-        "link",
-        "pyramid",
-        "circle",
-        "rectangle",
-        "ellipse",
-        "ring",
-    ];
-    shapes.contains(&shape)
-}
-
-/// Whether a constant map takes axes to axes, so that the box of an image is the image of the box.
-fn keeps_axes(map: &Affine) -> bool {
-    let counts = |i: usize| (0..3).filter(|j| !map.rows()[i][*j].is(0.0)).count() == 1;
-    map.rows().iter().flatten().all(|entry| entry.constant().is_some()) && (0..3).all(counts)
-}
-
-/// The box around a shape with corners under any constant map, or around a ball under a similarity.
-fn corners_box(map: &Affine, child: &Solid) -> Option<Bounds> {
-    if map.rows().iter().flatten().any(|entry| entry.constant().is_none()) {
-        return None;
-    }
-    match &child.kind {
-        SolidKind::Shape(row, arguments) if matches!(row.name, "box" | "rectangle") => {
-            let half: Option<Vec<f64>> = arguments.iter().map(Scalar::constant).collect();
-            let half = half?;
-            let reach = |i: usize| Interval::new(-half[i], half[i]);
-            let z = if half.len() == 3 { reach(2) } else { Interval::ALL };
-            Some(image(map, &Bounds::new(reach(0), reach(1), z)))
-        }
-        SolidKind::Transform(inner, child) if keeps_axes(&map.after(inner)) => {
-            Some(image(&map.after(inner), &exact_box(child)?))
-        }
-        SolidKind::Transform(inner, child) => corners_box(&map.after(inner), child),
-        SolidKind::Paint(_, child) => corners_box(map, child),
-        _ => None,
-    }
 }

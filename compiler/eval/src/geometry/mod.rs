@@ -31,6 +31,7 @@ mod testing;
 mod tests;
 mod transforms;
 mod unsupported;
+mod witnesses;
 
 use std::sync::Arc;
 

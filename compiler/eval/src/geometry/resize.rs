@@ -1,12 +1,15 @@
 //! `resize`: scales its children to a given size.
 
-use chiaro_solid::{Affine, Dimension, Scalar};
+use chiaro_plane::Point;
+use chiaro_solid::{Affine, Dimension, Scalar, Solid};
 use chiaro_syntax::Diagnostic;
+use chiaro_vocabulary::{Bounds, Interval};
 
-use super::extent::exact_box;
 use super::instance::{Instance, Module};
 use super::make::is_empty;
+use super::outline::outline;
 use super::transforms::apply;
+use super::witnesses::exact_box;
 use super::{Built, Stop};
 use crate::value::Value;
 
@@ -20,15 +23,14 @@ fn resize(instance: &mut Instance) -> Built {
     if is_empty(&child) || size.iter().all(|side| side.is(0.0)) {
         return Ok(child);
     }
-    let Some(bounds) = exact_box(&child) else {
+    let is_plane = child.dimension() == Some(Dimension::Plane);
+    let bounds = if is_plane { plane_box(&child)? } else { exact_box(&child)? };
+    let Some(bounds) = bounds else {
         let diagnostic = Diagnostic::error(instance.head, "the size of what is resized here is not known exactly")
             .with_related(child.span, "this")
-            .with_hint(
-                "`resize` works on shapes and unions of them, moved and turned by right angles; `scale` works on all",
-            );
+            .with_hint("`resize` knows shapes, unions and simple differences of them; `scale` works on all");
         return Err(Stop::Error(Box::new(diagnostic)));
     };
-    let is_plane = child.dimension() == Some(Dimension::Plane);
     let axes = if is_plane { 2 } else { 3 };
     let factor = |axis: usize| {
         let known = axis < axes && !size[axis].is(0.0) && bounds.size()[axis] > 0.0;
@@ -41,6 +43,15 @@ fn resize(instance: &mut Instance) -> Built {
         None => Scalar::ONE,
     });
     apply(instance, Affine::scaling(factors), child)
+}
+
+/// The smallest box around a plane shape.
+fn plane_box(child: &Solid) -> Result<Option<Bounds>, Stop> {
+    let bounds = outline(child)?.bounds();
+    let of_corners = |(min, max): (Point, Point)| {
+        Bounds::new(Interval::new(min[0], max[0]), Interval::new(min[1], max[1]), Interval::point(0.0))
+    };
+    Ok(bounds.map(of_corners))
 }
 
 /// Which axes follow the one that is given the largest size. One truth value is for all of them.

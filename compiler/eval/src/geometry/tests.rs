@@ -233,8 +233,12 @@ fn resizing() {
     assert_eq!(solid("resize([8, 0, 2]) sphere(2);"), "scale 2 1 0.5\n  sphere 2\n");
     assert_eq!(solid("resize([8, 0, 0], auto = [false, true, false]) sphere(2);"), "scale 2 2 1\n  sphere 2\n");
     assert_eq!(solid("resize([8, 0], auto = true) square(2, true);"), "scale 4 4 4\n  rectangle 1 1\n");
+    let drilled = "difference() { cube(4, true); cylinder(r = 1, h = 9, center = true); }";
+    assert!(solid(&format!("resize([8, 0, 0]) {drilled}")).starts_with("scale 2 1 1\n"));
+    assert!(solid("resize([8, 0]) difference() { square(4); square(2); }").starts_with("scale 2 1 2\n"));
     let error = "error: the size of what is resized here is not known exactly\n";
-    assert_eq!(solid("resize([8, 0, 0]) difference() { sphere(2); sphere(1); }"), error);
+    assert_eq!(solid("resize([8, 0, 0]) intersection() { sphere(2); cube(2); }"), error);
+    assert_eq!(solid("resize([8, 0, 0]) sphere(size);"), "demote: the size of what is resized\n");
 }
 
 #[test]
