@@ -1,18 +1,19 @@
 //! Compute pipelines and what is bound to them.
 
 use std::borrow::Cow;
+use std::time::{Duration, Instant};
 
 use naga::Module;
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry,
-    BindingResource, BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, ComputePipeline,
-    ComputePipelineDescriptor, PipelineLayoutDescriptor, ShaderModuleDescriptor, ShaderSource, ShaderStages,
-    StorageTextureAccess, TextureFormat, TextureViewDimension,
+    BindingResource, BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, ComputePassDescriptor,
+    ComputePipeline, ComputePipelineDescriptor, PipelineLayoutDescriptor, ShaderModuleDescriptor, ShaderSource,
+    ShaderStages, StorageTextureAccess, TextureFormat, TextureViewDimension,
 };
 
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
-use crate::uniform::ViewUniform;
+use crate::stopwatch::Stopwatch;
 
 /// What a binding is.
 #[derive(Clone, Copy, Debug)]
@@ -79,31 +80,33 @@ impl Kernel {
         })
     }
 
-    /// Runs it for a view, with one invocation for each of `invocations`, and waits for it.
+    /// Runs it with this many workgroups, and waits for it; says how long it took.
     pub(crate) fn run(
         &self,
         gpu: &Gpu,
+        stopwatch: &Stopwatch,
         groups: &[&BindGroup],
-        view: &Buffer,
-        uniform: &ViewUniform,
-        invocations: [u32; 2],
-    ) -> Result<()> {
-        gpu.queue.write_buffer(view, 0, bytemuck::bytes_of(uniform));
-        self.finish(gpu, groups, invocations.map(|count| count.div_ceil(8)))
-    }
-
-    /// Runs it with this many workgroups, and waits for it.
-    pub(crate) fn finish(&self, gpu: &Gpu, groups: &[&BindGroup], workgroups: [u32; 2]) -> Result<()> {
+        workgroups: [u32; 2],
+    ) -> Result<Duration> {
+        let started = Instant::now();
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let mut pass = encoder.begin_compute_pass(&Default::default());
+        let mut pass =
+            encoder.begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes: stopwatch.writes() });
         pass.set_pipeline(&self.pipeline);
         for (index, group) in groups.iter().enumerate() {
             pass.set_bind_group(index as u32, *group, &[]);
         }
         pass.dispatch_workgroups(workgroups[0], workgroups[1], 1);
         drop(pass);
-        gpu.finish(encoder)
+        stopwatch.collect(&mut encoder);
+        gpu.finish(encoder)?;
+        stopwatch.read(gpu, started)
     }
+}
+
+/// The workgroups for one invocation a pixel, of the tracing templates' 8 × 8 invocations each.
+pub(crate) fn workgroups(pixels: [u32; 2]) -> [u32; 2] {
+    pixels.map(|count| count.div_ceil(8))
 }
 
 fn layout(gpu: &Gpu, label: &str, slots: &[(u32, Slot)]) -> BindGroupLayout {

@@ -12,6 +12,7 @@ mod parts;
 mod picture;
 mod probe;
 mod resolve;
+mod stopwatch;
 mod uniform;
 mod view;
 

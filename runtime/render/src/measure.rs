@@ -8,8 +8,9 @@ use wgpu::BindGroup;
 
 use crate::error::Result;
 use crate::gpu::Gpu;
-use crate::kernel::{Slot, buffer};
+use crate::kernel::{Slot, buffer, workgroups};
 use crate::model::Model;
+use crate::stopwatch::Stopwatch;
 use crate::uniform::{Level, Studio, ViewUniform};
 use crate::view::View;
 
@@ -91,10 +92,12 @@ fn nearest(gpu: &Gpu, model: &Model, view: &View) -> Result<[f64; 2]> {
 
     let studio = Studio { floor: None, azimuth: 0.0 };
     let uniform = ViewUniform::new(view, &model.bounds, model.lipschitz, studio, [SIZE; 2]);
+    let stopwatch = Stopwatch::new(gpu)?;
     let mut before = None;
     for level in levels[1..].iter().chain([&rays]) {
         let of_level = uniform.at_level(*level, before, *level != rays);
-        program.kernel.run(gpu, &groups, &uniforms, &of_level, [SIZE.div_ceil(level.edge); 2])?;
+        gpu.queue.write_buffer(&uniforms, 0, bytemuck::bytes_of(&of_level));
+        program.kernel.run(gpu, &stopwatch, &groups, workgroups([SIZE.div_ceil(level.edge); 2]))?;
         before = Some(*level);
     }
 

@@ -1,15 +1,16 @@
 //! A picture that gets better with every sample.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use wgpu::{BindGroup, Buffer, Texture};
 
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
-use crate::kernel::{Slot, buffer};
-use crate::model::Model;
+use crate::kernel::{Slot, buffer, workgroups};
+use crate::model::{Model, Program};
 use crate::parts::Parts;
 use crate::resolve::Resolver;
+use crate::stopwatch::Stopwatch;
 use crate::uniform::{Level, Studio, ViewUniform};
 use crate::view::View;
 
@@ -38,9 +39,10 @@ pub struct Picture {
     /// Whether the prepass's depths are those of the view and the live numbers.
     has_starts: bool,
     timings: Timings,
+    stopwatch: Stopwatch,
 }
 
-/// How long the last runs took.
+/// How long the last runs took on the device, by its own clock where it has one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Timings {
     /// The prepass.
@@ -96,6 +98,7 @@ impl Picture {
             samples: 0,
             has_starts: false,
             timings: Timings::default(),
+            stopwatch: Stopwatch::new(gpu)?,
         })
     }
 
@@ -153,10 +156,7 @@ impl Picture {
         let part = self.parts.current();
         let finest = self.levels[self.levels.len() - 1];
         let uniform = self.uniform().at_sample(self.samples, part, finest, self.uses_prepass);
-        let groups = self.buffers.trace_groups.each_ref();
-        let started = Instant::now();
-        self.model.trace.kernel.run(&self.gpu, &groups, &self.buffers.view, &uniform, part.size)?;
-        let took = started.elapsed();
+        let took = self.run(&self.model.trace, &self.buffers.trace_groups, &uniform, part.size)?;
         self.timings.so_far += took;
         let complete = self.parts.advance(took);
         if complete {
@@ -213,18 +213,29 @@ impl Picture {
     }
 
     fn run_prepass(&mut self) -> Result<()> {
-        let started = Instant::now();
+        let mut took = Duration::ZERO;
         let mut before = None;
         for &level in self.levels.iter().filter(|_| self.uses_prepass) {
             let uniform = self.uniform().at_level(level, before, true);
-            let groups = self.buffers.prepass_groups.each_ref();
             let tiles = self.size.map(|edge| edge.div_ceil(level.edge));
-            self.model.prepass.kernel.run(&self.gpu, &groups, &self.buffers.view, &uniform, tiles)?;
+            took += self.run(&self.model.prepass, &self.buffers.prepass_groups, &uniform, tiles)?;
             before = Some(level);
         }
-        self.timings.prepass = started.elapsed();
+        self.timings.prepass = took;
         self.has_starts = true;
         Ok(())
+    }
+
+    /// Runs a program with one invocation for each of `invocations`.
+    fn run(
+        &self,
+        program: &Program,
+        groups: &[BindGroup; 2],
+        uniform: &ViewUniform,
+        invocations: [u32; 2],
+    ) -> Result<Duration> {
+        self.gpu.queue.write_buffer(&self.buffers.view, 0, bytemuck::bytes_of(uniform));
+        program.kernel.run(&self.gpu, &self.stopwatch, &groups.each_ref(), workgroups(invocations))
     }
 
     fn uniform(&self) -> ViewUniform {

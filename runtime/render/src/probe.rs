@@ -7,6 +7,7 @@ use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::kernel::{Slot, buffer};
 use crate::model::{Program, Source};
+use crate::stopwatch::Stopwatch;
 
 /// The edge of a dispatch of many workgroups.
 const ROW: u32 = 32768;
@@ -38,7 +39,8 @@ impl Program {
         let own = self.kernel.bind(gpu, 1, &own)?;
 
         let workgroups = (rows.len() as u32).div_ceil(64);
-        self.kernel.finish(gpu, &[&shared, &own], [workgroups.min(ROW), workgroups.div_ceil(ROW)])?;
+        let rows = [workgroups.min(ROW), workgroups.div_ceil(ROW)];
+        self.kernel.run(gpu, &Stopwatch::new(gpu)?, &[&shared, &own], rows)?;
         Ok(bytemuck::pod_collect_to_vec(&gpu.read(&answers)?))
     }
 }

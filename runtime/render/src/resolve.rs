@@ -7,7 +7,8 @@ use wgpu::{
 
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
-use crate::kernel::{Kernel, PIXEL_FORMAT, Slot, buffer};
+use crate::kernel::{Kernel, PIXEL_FORMAT, Slot, buffer, workgroups};
+use crate::stopwatch::Stopwatch;
 
 /// What resolves one picture.
 #[derive(Debug)]
@@ -16,6 +17,7 @@ pub(crate) struct Resolver {
     resolution: Buffer,
     texture: Texture,
     group: BindGroup,
+    stopwatch: Stopwatch,
 }
 
 impl Resolver {
@@ -45,15 +47,15 @@ impl Resolver {
             (2, BindingResource::TextureView(&view)),
         ];
         let group = kernel.bind(gpu, 0, &resources)?;
-        Ok(Self { kernel, resolution, texture, group })
+        Ok(Self { kernel, resolution, texture, group, stopwatch: Stopwatch::new(gpu)? })
     }
 
     /// Resolves into the texture.
     pub(crate) fn run(&self, gpu: &Gpu, samples: u32, exposure: f32) -> Result<&Texture> {
         let scale = exposure / samples.max(1) as f32;
         gpu.queue.write_buffer(&self.resolution, 0, bytemuck::bytes_of(&[scale, 0.0, 0.0, 0.0]));
-        let groups = [self.texture.width().div_ceil(8), self.texture.height().div_ceil(8)];
-        self.kernel.finish(gpu, &[&self.group], groups)?;
+        let pixels = [self.texture.width(), self.texture.height()];
+        self.kernel.run(gpu, &self.stopwatch, &[&self.group], workgroups(pixels))?;
         Ok(&self.texture)
     }
 

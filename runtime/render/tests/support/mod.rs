@@ -6,10 +6,10 @@ use chiaro_syntax::{FileId, Span};
 use chiaro_vocabulary::{Bounds, Class, row};
 
 /// A graph in the making.
-pub struct Builder(Graph);
+pub(crate) struct Builder(Graph);
 
 impl Builder {
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self(Graph {
             points: vec![Point::World],
             nodes: Vec::new(),
@@ -21,7 +21,7 @@ impl Builder {
         })
     }
 
-    pub fn add(&mut self, node: Node, bounds: Bounds) -> NodeId {
+    pub(crate) fn add(&mut self, node: Node, bounds: Bounds) -> NodeId {
         self.0.nodes.push(node);
         self.0.facts.push(Facts { bounds, class: Class::Exact, lipschitz: 1.0 });
         self.0.spans.push(Span::new(FileId(0), 0..0));
@@ -29,7 +29,7 @@ impl Builder {
     }
 
     /// A shape of the vocabulary's table, moved by a vector.
-    pub fn shape(&mut self, name: &str, arguments: &[Scalar], by: [f64; 3]) -> NodeId {
+    pub(crate) fn shape(&mut self, name: &str, arguments: &[Scalar], by: [f64; 3]) -> NodeId {
         let row = row(name).unwrap_or_else(|| panic!("no row {name}"));
         assert_eq!(row.arity(), arguments.len(), "{name}");
         for argument in arguments {
@@ -39,22 +39,20 @@ impl Builder {
         }
         let ranges: Vec<_> = arguments.iter().map(Scalar::range).collect();
         let mut bounds = (row.bounds)(&ranges);
-        for axis in 0..3 {
-            bounds.min[axis] += by[axis];
-            bounds.max[axis] += by[axis];
-        }
+        bounds.min = [0, 1, 2].map(|axis| bounds.min[axis] + by[axis]);
+        bounds.max = [0, 1, 2].map(|axis| bounds.max[axis] + by[axis]);
         self.0.points.push(Point::Affine(Affine::translation(by.map(|x| Scalar::from(-x))), PointId(0)));
         let at = PointId(self.0.points.len() as u32 - 1);
         self.add(Node::Shape(row, arguments.to_vec(), at), bounds)
     }
 
     /// A shape with constant arguments.
-    pub fn constant(&mut self, name: &str, arguments: &[f64], by: [f64; 3]) -> NodeId {
+    pub(crate) fn constant(&mut self, name: &str, arguments: &[f64], by: [f64; 3]) -> NodeId {
         let arguments: Vec<Scalar> = arguments.iter().copied().map(Scalar::from).collect();
         self.shape(name, &arguments, by)
     }
 
-    pub fn painted(&mut self, color: [f64; 4], roughness: f64, metallic: f64, child: NodeId) -> NodeId {
+    pub(crate) fn painted(&mut self, color: [f64; 4], roughness: f64, metallic: f64, child: NodeId) -> NodeId {
         self.0.materials.push(Material {
             color: color.map(Scalar::from),
             roughness: Scalar::from(roughness),
@@ -65,14 +63,14 @@ impl Builder {
         self.add(Node::Paint(MaterialId(self.0.materials.len() as u32 - 1), child), bounds)
     }
 
-    pub fn union(&mut self, fillet: Option<f64>, children: Vec<NodeId>) -> NodeId {
+    pub(crate) fn union(&mut self, fillet: Option<f64>, children: Vec<NodeId>) -> NodeId {
         let sharp = children.iter().fold(Bounds::EMPTY, |all, &child| all.union(&self.bounds(child)));
         let bounds = sharp.inflate(0.3 * fillet.unwrap_or(0.0));
         let joint = fillet.map(|radius| Joint { profile: Profile::Fillet, radius: Scalar::from(radius) });
         self.add(Node::Boolean(Operation::Union, joint, children), bounds)
     }
 
-    pub fn difference(&mut self, fillet: Option<f64>, from: NodeId, taken: Vec<NodeId>) -> NodeId {
+    pub(crate) fn difference(&mut self, fillet: Option<f64>, from: NodeId, taken: Vec<NodeId>) -> NodeId {
         let bounds = self.bounds(from);
         let mut children = vec![from];
         children.extend(taken.into_iter().map(|child| self.add(Node::Negate(child), Bounds::ALL)));
@@ -81,7 +79,7 @@ impl Builder {
     }
 
     /// The graph, its last node the root.
-    pub fn done(mut self) -> Graph {
+    pub(crate) fn done(mut self) -> Graph {
         self.0.root = NodeId(self.0.nodes.len() as u32 - 1);
         self.0
     }
