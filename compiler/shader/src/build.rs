@@ -96,12 +96,7 @@ impl Builder {
         self.compose(ty, components)
     }
 
-    /// A vector of four numbers from numbers and vectors.
-    pub(crate) fn vector4(&mut self, parts: &[Value]) -> Value {
-        self.compose(self.types.vec4, parts)
-    }
-
-    /// A value of a type with components.
+    /// A value of a type with components; a vector's may be shorter vectors.
     pub(crate) fn compose(&mut self, ty: Handle<Type>, components: &[Value]) -> Value {
         self.add(Expression::Compose { ty, components: components.to_vec() })
     }

@@ -122,7 +122,7 @@ impl Scope<'_, '_> {
             }
         };
         let distance = self.call(&OUTLINE_END, &[state]);
-        self.name(distance, "outline")
+        self.name(distance, "distance")
     }
 
     fn polytope_here(&mut self, triangles: &[[[f64; 3]; 3]]) -> Value {
@@ -146,7 +146,7 @@ impl Scope<'_, '_> {
             }
         };
         let distance = self.call(&POLYTOPE_END, &[state]);
-        self.name(distance, "polytope")
+        self.name(distance, "distance")
     }
 
     /// The state behind one piece of an outline.

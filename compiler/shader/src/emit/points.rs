@@ -35,11 +35,18 @@ impl Scope<'_, '_> {
                 let point = self.space_point(*from);
                 let radius = self.scalar(radius);
                 let confined = self.call(&CONFINE_DISC, &[point, radius]);
+                let confined = match self.dimension(*from) {
+                    3 => confined,
+                    _ => self.builder.truncate(confined, VectorSize::Bi),
+                };
                 self.name_point(confined, id, "confined")
             }
             Point::Flattened(from) => {
                 let point = self.space_point(*from);
-                let flattened = self.call(&PLANE_POINT, &[point]);
+                let flattened = match self.dimension(*from) {
+                    3 => self.call(&PLANE_POINT, &[point]),
+                    _ => point,
+                };
                 self.name_point(flattened, id, "flattened")
             }
         };
@@ -63,7 +70,7 @@ impl Scope<'_, '_> {
             3 => point,
             _ => {
                 let zero = self.constant(0.0);
-                self.builder.vector(&[point, zero])
+                self.builder.compose(self.builder.types.vec3, &[point, zero])
             }
         }
     }
@@ -71,8 +78,8 @@ impl Scope<'_, '_> {
     /// How many coordinates the point has.
     fn dimension(&self, id: PointId) -> usize {
         match &self.emission.graph.points[id.0 as usize] {
-            Point::World | Point::Confined(..) | Point::Flattened(_) => 3,
-            Point::Affine(_, from) => self.dimension(*from),
+            Point::World | Point::Flattened(_) => 3,
+            Point::Affine(_, from) | Point::Confined(_, from) => self.dimension(*from),
             Point::Warp(row, ..) if row.kind == Kind::Section => 2,
             Point::Warp(..) => 3,
         }

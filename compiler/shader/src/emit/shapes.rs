@@ -1,10 +1,10 @@
 //! Nodes: distances.
 
-use chiaro_field::{Node, NodeId};
+use chiaro_field::{Node, NodeId, PointId};
 use chiaro_solid::Scalar;
 use chiaro_vocabulary::rows::{CONFINE_JOIN, OP_EXTRUDE, OP_TAPER};
 use chiaro_vocabulary::{Kind, Row, Type};
-use naga::{BinaryOperator, MathFunction, VectorSize};
+use naga::{BinaryOperator, MathFunction};
 
 use super::Scope;
 use crate::build::Value;
@@ -84,8 +84,7 @@ impl Scope<'_, '_> {
             }
             Node::Confine(radius, lipschitz, child, point) => {
                 let distance = self.distance(*child);
-                let point = self.space_point(*point);
-                let gap = self.gap(point, radius);
+                let gap = self.gap(*point, radius);
                 let lipschitz = self.constant(*lipschitz);
                 let joined = self.call(&CONFINE_JOIN, &[distance, gap, lipschitz]);
                 self.name_node(joined, id, "confine")
@@ -115,8 +114,8 @@ impl Scope<'_, '_> {
     }
 
     /// How far the point lies outside of the cylinder of this radius about z; negative inside.
-    fn gap(&mut self, point: Value, radius: &Scalar) -> Value {
-        let across = self.builder.truncate(point, VectorSize::Bi);
+    fn gap(&mut self, point: PointId, radius: &Scalar) -> Value {
+        let across = self.plane_point(point);
         let length = self.builder.math(MathFunction::Length, across, None);
         let radius = self.scalar(radius);
         self.builder.binary(BinaryOperator::Subtract, length, radius)

@@ -221,7 +221,7 @@ impl Scope<'_, '_> {
             }
         };
         let opacity = self.scalar(opacity);
-        let color = self.builder.vector4(&[&linear[..], &[opacity]].concat());
+        let color = self.builder.compose(self.builder.types.vec4, &[&linear[..], &[opacity]].concat());
         self.colors.insert(material.color.clone(), color);
         self.name(color, "color")
     }

@@ -274,7 +274,11 @@ fn extrusions_slices_and_confinements_combine() {
     let confined = scene.at(Point::Confined(Scalar::from(4.0), PointId(0)));
     let near = scene.shape("box", &[1.0, 1.0, 1.0], confined);
     let near = scene.add(Node::Confine(Scalar::from(4.0), 1.0, near, PointId(0)));
-    scene.union(vec![rod, ball, near]);
+    let section = scene.at(Point::Confined(Scalar::from(4.0), section));
+    let upright = scene.at(Point::Flattened(section));
+    let pole = scene.shape("sphere", &[1.0], upright);
+    let pole = scene.add(Node::Confine(Scalar::from(4.0), 1.0, pole, PointId(0)));
+    scene.union(vec![rod, ball, near, pole]);
     let checked = checked(&scene.done(), &[]);
     assert_close(checked.distance([100.0, 0.0, 50.0]), 49.0_f64.hypot(40.0));
     assert_close(checked.distance([0.0, 0.0, 80.0]), -5.0);
