@@ -65,9 +65,12 @@ fn combined(
     if is_nothing {
         return empty(span);
     }
-    let children = children.into_iter().filter(|child| !is_empty(child)).collect();
+    let children: Vec<Arc<Solid>> = children.into_iter().filter(|child| !is_empty(child)).collect();
+    let count = children.len();
     let mut children = of_one_dimension(children, diagnostics);
     match children.len() {
+        // To an intersection, what is left out counts as empty.
+        left if left < count && operation == Boolean::Intersection => empty(span),
         0 => empty(span),
         1 => children.remove(0),
         _ => Solid::new(SolidKind::Boolean { operation, joint, children }, span),

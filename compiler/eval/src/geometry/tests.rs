@@ -55,6 +55,7 @@ fn the_first_child_decides_the_dimension() {
     let (mixed, warnings) = evaluate("square(center = true); cube();", Facets::Auto);
     assert_eq!(mixed, "rectangle 0.5 0.5\n");
     assert_eq!(warnings, ["plane shapes and solids do not mix: what is unlike the first child is left out"]);
+    assert_eq!(evaluate("intersection() { sphere(); circle(); }", Facets::Auto).0, "empty\n");
     let text = "linear_extrude(1) { cube(); circle(); }";
     assert_eq!(evaluate(text, Facets::Auto).0, "extrude 1\n  circle 1\n");
     assert_eq!(warning(text), "`linear_extrude` takes plane shapes: this is a solid and is left out");
