@@ -1,4 +1,9 @@
 //! Emits a field graph as a naga module and splices it into the tracing templates.
+//!
+//! [`splice`] builds the functions `scene_distance` and `scene_surface` as naga's IR, without a detour through text, and
+//! puts them in the place of a [`Template`]'s stubs: the module goes to the GPU as it is. [`wgsl`] prints the same
+//! functions, below what they call of the vocabulary, for people to read and to take elsewhere. What all templates share
+//! is in [`bindings`].
 
 pub mod bindings;
 mod build;

@@ -26,11 +26,11 @@ fn scramble_reversed(bits: u32, seed: u32) -> u32 {
 /// The second Sobol' dimension of an index, its bits in reverse: Pascal's triangle modulo 2 times the index's bits.
 fn sobol_second_reversed(index: u32) -> u32 {
     var x = index;
-    x ^= x << 16u;
-    x ^= (x & 0x00ff00ffu) << 8u;
-    x ^= (x & 0x0f0f0f0fu) << 4u;
-    x ^= (x & 0x33333333u) << 2u;
-    x ^= (x & 0x55555555u) << 1u;
+    x ^= x >> 16u;
+    x ^= (x >> 8u) & 0x00ff00ffu;
+    x ^= (x >> 4u) & 0x0f0f0f0fu;
+    x ^= (x >> 2u) & 0x33333333u;
+    x ^= (x >> 1u) & 0x55555555u;
     return x;
 }
 
