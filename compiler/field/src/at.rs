@@ -37,6 +37,6 @@ impl Ranges for Values<'_> {
     fn placement(&self, map: &Affine, _: PointId) -> Placement {
         let rows = inverse(&map.value(self.parameters));
         let stretch = largest_singular_value(&linear(&rows));
-        Placement { rows: rows.map(|row| row.map(Interval::point)), stretch, similar: false }
+        Placement { rows: rows.map(|row| row.map(Interval::point)), stretch }
     }
 }

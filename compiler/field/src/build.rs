@@ -148,7 +148,7 @@ impl Ranges for Placements {
         if let Some(rows) = constant_rows(forward) {
             let similar = matches!(forward.similarity(), Similarity::Uniform(_));
             let stretch = if similar { 1.0 } else { largest_singular_value(&linear(&rows)).max(1.0) };
-            return Placement { rows: rows.map(|row| row.map(Interval::point)), stretch, similar };
+            return Placement { rows: rows.map(|row| row.map(Interval::point)), stretch };
         }
         let mut rows = forward.rows().each_ref().map(|row| row.each_ref().map(Scalar::range));
         let factor = match forward.similarity() {
@@ -163,7 +163,7 @@ impl Ranges for Placements {
         }
         let squares = || rows.iter().flat_map(|row| &row[..3]).map(|entry| entry.magnitude().powi(2));
         let stretch = factor.unwrap_or_else(|| squares().sum::<f64>().sqrt());
-        Placement { rows, stretch, similar: factor.is_some() }
+        Placement { rows, stretch }
     }
 }
 

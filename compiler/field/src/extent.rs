@@ -37,8 +37,6 @@ pub(crate) struct Placement {
     pub(crate) rows: [[Interval; 4]; 3],
     /// What it makes lengths longer by at the most.
     pub(crate) stretch: f64,
-    /// Whether it is a similarity.
-    pub(crate) similar: bool,
 }
 
 /// Measures extents in a graph, finished or not.
@@ -243,20 +241,16 @@ pub(crate) fn exponent(profile: Profile) -> u8 {
 /// An extent under the map from where it is asked to where it stands.
 fn placed(extent: Extent, placement: &Placement) -> Extent {
     let axes = [0, 1, 2].map(|axis| extent.bounds.axis(axis));
-    let finite = axes.map(|axis| axis.magnitude().is_finite());
-    let reach = axes.iter().filter(|axis| axis.magnitude().is_finite()).map(|axis| axis.magnitude().powi(2));
-    let reach = placement.stretch * reach.sum::<f64>().sqrt();
     let mapped = placement.rows.each_ref().map(|row| {
         let terms = (0..3).map(|axis| row[axis] * axes[axis]);
         let linear = terms.fold(Interval::point(0.0), |sum, term| sum + term);
-        // A turn by an unknown angle keeps the distance from the origin.
-        let turned = placement.similar && (0..3).all(|axis| finite[axis] || row[axis] == Interval::point(0.0));
-        let linear = if turned && !row.iter().all(|entry| entry.is_point()) {
-            Interval { min: linear.min.max(-reach), max: linear.max.min(reach) }
-        } else {
-            linear
-        };
-        linear + row[3]
+        if row.iter().all(|entry| entry.is_point()) {
+            return linear + row[3];
+        }
+        // A row of a live map is no longer than the map stretches, whatever its entries may be.
+        let counting = (0..3).filter(|axis| row[*axis] != Interval::point(0.0));
+        let reach = counting.map(|axis| axes[axis].magnitude().powi(2)).sum::<f64>().sqrt() * placement.stretch;
+        Interval { min: linear.min.max(-reach), max: linear.max.min(reach) } + row[3]
     });
     let [x, y, z] = mapped;
     Extent { bounds: Bounds::new(x, y, z), growth: extent.growth * placement.stretch }

@@ -6,6 +6,7 @@
 
 mod boolean;
 mod context;
+mod extrude;
 mod plane;
 mod shape;
 mod sphere_hull;

@@ -146,8 +146,8 @@ fn angle(radians: &Scalar) -> String {
     }
 }
 
-/// A constant, or a live number's formula.
-fn number(scalar: &Scalar) -> String {
+/// A constant of at most six digits, or a live number's formula.
+pub fn number(scalar: &Scalar) -> String {
     match scalar {
         Scalar::Constant(value) => short(*value),
         Scalar::Live(_) if scalar.size() > LONGEST_FORMULA => {
@@ -181,7 +181,7 @@ fn formula(function: Function, arguments: &[Scalar]) -> String {
 }
 
 /// A number with six digits at the most.
-fn short(value: f64) -> String {
+pub fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     // Zero has no sign here.
     format!("{}", if rounded == 0.0 { 0.0 } else { rounded })

@@ -129,6 +129,7 @@ impl<N: Remembered> Query<'_, N> {
         }
     }
 
+    #[inline(never)]
     fn point(&mut self, id: PointId) -> [N; 3] {
         let compiled = self.compiled;
         let point = &compiled.points[id.0 as usize];
@@ -141,6 +142,7 @@ impl<N: Remembered> Query<'_, N> {
         value
     }
 
+    #[inline(never)]
     fn place(&mut self, place: &Place) -> [N; 3] {
         match place {
             Place::World => self.point,
@@ -168,6 +170,7 @@ impl<N: Remembered> Query<'_, N> {
         }
     }
 
+    #[inline(never)]
     fn outline(&mut self, pieces: &[Piece], point: PointId) -> N {
         let [x, y, _] = self.point(point);
         let start = self.call(HELPERS.outline_start, &[]);
@@ -184,6 +187,7 @@ impl<N: Remembered> Query<'_, N> {
         self.call(HELPERS.outline_end, &[squared, sign])[0]
     }
 
+    #[inline(never)]
     fn polytope(&mut self, triangles: &[[[f64; 3]; 3]], point: PointId) -> N {
         let [x, y, z] = self.point(point);
         let start = self.call(HELPERS.polytope_start, &[]);
@@ -195,6 +199,7 @@ impl<N: Remembered> Query<'_, N> {
         self.call(HELPERS.polytope_end, &[squared, height])[0]
     }
 
+    #[inline(never)]
     fn joint(&mut self, distances: &[N], profile: Profile, exponent: N, radius: N) -> N {
         if let [a, b] = *distances {
             let [chamfer, fillet, smooth] = HELPERS.joint_of_two;

@@ -21,7 +21,7 @@ impl Lowering {
         span: Span,
     ) -> Option<NodeId> {
         let settled = joint.map(|_| self.settled(context));
-        let below = settled.as_ref().unwrap_or(context);
+        let below = settled.as_deref().unwrap_or(context);
         let joint = joint.map(|joint| Joint { profile: joint.profile, radius: below.length(&joint.radius) });
         let mut operands = children.iter().map(|child| self.lower(child, below)).collect::<Vec<_>>().into_iter();
         match operation {

@@ -67,9 +67,10 @@ impl Lowering {
         }
     }
 
-    /// A context made from one above it.
-    pub(super) fn derive(&mut self, context: &Context, change: impl FnOnce(&mut Context)) -> Context {
-        let mut below = context.clone();
+    /// A context made from one above it; on the heap, since there is one for each level of the tree.
+    #[inline(never)]
+    pub(super) fn derive(&mut self, context: &Context, change: impl FnOnce(&mut Context)) -> Box<Context> {
+        let mut below = Box::new(context.clone());
         below.id = self.next_context();
         change(&mut below);
         below
@@ -81,7 +82,8 @@ impl Lowering {
     }
 
     /// The same context for something that measures lengths: with no transforms left open.
-    pub(super) fn settled(&mut self, context: &Context) -> Context {
+    #[inline(never)]
+    pub(super) fn settled(&mut self, context: &Context) -> Box<Context> {
         let place = self.place(context);
         self.derive(context, |below| {
             below.forward = place.forward;
@@ -95,11 +97,12 @@ impl Lowering {
 
     /// Where a shape is to be put. If lengths are stretched, distances count by the direction they are stretched
     /// least in.
+    #[inline(never)]
     pub(super) fn place(&mut self, context: &Context) -> Place {
         let since = context.open_transforms();
         let (factor, rigid) = match since.similarity() {
             Similarity::Uniform(factor) => (factor, true),
-            Similarity::AtLeast(factor) => (factor, false),
+            Similarity::AtLeast(factor) => (diagonal_least(&since).unwrap_or(factor), false),
         };
         if !rigid {
             self.warn_of_stretch(&since, context.transformed_at);
@@ -109,6 +112,7 @@ impl Lowering {
     }
 
     /// Where a shape is to be put that is stretched along its own axes by factors, if the transforms come to that.
+    #[inline(never)]
     pub(super) fn stretched_place(&self, context: &Context) -> Option<(Place, [Scalar; 3])> {
         let since = context.open_transforms();
         if matches!(since.similarity(), Similarity::Uniform(_)) {
@@ -141,6 +145,19 @@ impl Context {
     fn open_transforms(&self) -> Affine {
         if self.plane { plane_map(&self.since) } else { self.since.clone() }
     }
+}
+
+/// The least factor of a scaling of the axes.
+fn diagonal_least(map: &Affine) -> Option<Scalar> {
+    let [x, y, z] = diagonal(map)?.map(|factor| magnitude(&factor));
+    Some(x.min(y).min(z))
+}
+
+/// The factors of a map that scales the axes, apart from moving.
+fn diagonal(map: &Affine) -> Option<[Scalar; 3]> {
+    let rows = map.rows();
+    let is_diagonal = (0..3).all(|i| (0..3).all(|j| i == j || rows[i][j].is(0.0)));
+    is_diagonal.then(|| [0, 1, 2].map(|i| rows[i][i].clone()))
 }
 
 /// The map with lengths multiplied by a size and its columns divided by their factors.
@@ -209,6 +226,15 @@ fn undone(forward: &Affine) -> Affine {
     }
     if forward.is_translation() {
         return Affine::translation([0, 1, 2].map(|i| -forward.rows()[i][3].clone()));
+    }
+    if let Some(factors) = diagonal(forward) {
+        let row = |i: usize| {
+            let mut row = [(); 4].map(|()| Scalar::ZERO);
+            row[i] = Scalar::ONE / factors[i].clone();
+            row[3] = -(forward.rows()[i][3].clone() / factors[i].clone());
+            row
+        };
+        return Affine::new([row(0), row(1), row(2)]);
     }
     match forward.similarity() {
         // Of a rotation or reflection the inverse is the transpose, which costs nothing.

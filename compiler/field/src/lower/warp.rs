@@ -8,7 +8,7 @@ use chiaro_vocabulary::{Class, rows};
 
 use super::Lowering;
 use super::context::Context;
-use crate::graph::{NodeId, Point};
+use crate::graph::{Node, NodeId, Point};
 
 /// How far a solid reaches from the z axis, and what its values are. (Of a plane shape: from the origin.)
 #[derive(Clone, Copy, Debug)]
@@ -45,21 +45,55 @@ impl Lowering {
         if rate.is(0.0) {
             return self.lower(child, context);
         }
-        let mut reach = self.reach(child, span, "an endless solid can't be twisted")?;
-        let place = self.place(context);
-        let point = self.point_at(context.base, &place.forward, false);
-        let rate = rate.clone() / place.size.clone();
-        let warped = self.builder.point(Point::Warp(&rows::TWIST, vec![rate.clone()], point));
-        reach.radius *= place.size.range().max;
+        let reach = self.reach(child, span, "an endless solid can't be twisted")?;
         let confine = reach.class == Class::Bound;
         let radius = if confine { reach.confinement() } else { reach.radius };
         let slope = twisted_slope(radius * rate.range().magnitude());
-        self.warn_of_slope("this twist", slope, span);
+        self.check_slope("this twist", slope, span)?;
+        let place = self.place(context);
+        let point = self.point_at(context.base, &place.forward, false);
+        let rate = rate.clone() / place.size.clone();
+        let warped = self.builder.point(Point::Warp(&rows::TWIST, vec![rate], point));
         let below = self.below(context, &place, warped, |below| {
             below.slope = context.slope * slope;
             below.best = Class::Bound;
         });
         self.lower_confined(child, &below, confine.then_some(&reach), span)
+    }
+
+    /// Lowers what a warp stretches without limit: confined to its reach, if its values follow from more than that.
+    pub(super) fn lower_confined(
+        &mut self,
+        child: &Arc<Solid>,
+        context: &Context,
+        reach: Option<&Reach>,
+        span: Span,
+    ) -> Option<NodeId> {
+        let Some(reach) = reach else { return self.lower(child, context) };
+        let radius = context.length(&Scalar::from(reach.confinement()));
+        let confined = self.builder.point(Point::Confined(radius.clone(), context.base));
+        let below = self.derive(context, |below| below.base = confined);
+        let node = self.lower(child, &below)?;
+        let facts = *self.builder.facts(node);
+        let confine = Node::Confine(radius, reach.lipschitz, node, context.base);
+        Some(self.builder.node(confine, span, Class::Bound, facts.lipschitz))
+    }
+
+    /// Warns if distances are much too long; none, with an error, if there is no saying how much.
+    pub(super) fn check_slope(&mut self, what: &str, slope: f64, span: Span) -> Option<()> {
+        const MUCH: f64 = 2.0;
+        if !slope.is_finite() {
+            let message = format!("{what} may make distances any number of times too long");
+            let hint = "keep the live numbers in it within smaller ranges, away from a height of zero";
+            self.say(Diagnostic::error(span, message).with_hint(hint));
+            return None;
+        }
+        if slope > MUCH {
+            let message = format!("{what} makes distances {slope:.1} times too long here");
+            let label = "rays take as many times more steps around it";
+            self.say(Diagnostic::warning(span, message).with_label(label));
+        }
+        Some(())
     }
 
     /// How far a solid reaches from the z axis; an error, if without end.

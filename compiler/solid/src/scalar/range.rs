@@ -84,10 +84,29 @@ fn sine(x: Interval) -> Interval {
     Interval { min: if crosses(270.0) { -1.0 } else { ends.min }, max: if crosses(90.0) { 1.0 } else { ends.max } }
 }
 
-/// Between zero and the least length of a column.
+/// At most the least length of a column. At least 2 |det| / (sum of squares): the other two singular values have that
+/// determinant's rest as their product, which is at most half the sum of their squares.
 fn smallest_singular_value(x: &[Interval]) -> Interval {
-    let column = |j: usize| (0..3).map(|k| x[3 * k + j].magnitude().powi(2)).sum::<f64>().sqrt();
-    Interval::new(0.0, column(0).min(column(1)).min(column(2)))
+    let column = |j: usize| (0..3).map(|k| x[3 * k + j].magnitude().powi(2)).sum::<f64>();
+    let squares = [column(0), column(1), column(2)];
+    let least = 2.0 * determinant(x).abs().min / squares.iter().sum::<f64>();
+    let most = squares.into_iter().fold(f64::INFINITY, f64::min).sqrt();
+    Interval { min: if least.is_finite() { least.min(most) } else { 0.0 }, max: most }
+}
+
+/// Bounds of a 3 × 3 determinant: what its expansions along all three rows have in common.
+fn determinant(x: &[Interval]) -> Interval {
+    let cofactor = |i: usize, j: usize| {
+        let at = |i: usize, j: usize| x[3 * (i % 3) + j % 3];
+        at(i + 1, j + 1) * at(i + 2, j + 2) - at(i + 1, j + 2) * at(i + 2, j + 1)
+    };
+    let along =
+        |i: usize| (0..3).map(|j| x[3 * i + j] * cofactor(i, j)).fold(Interval::point(0.0), |sum, term| sum + term);
+    let expansions = [along(0), along(1), along(2)];
+    let min = expansions.iter().map(|expansion| expansion.min).fold(f64::NEG_INFINITY, f64::max);
+    let max = expansions.iter().map(|expansion| expansion.max).fold(f64::INFINITY, f64::min);
+    // Rounding may part bounds that touch.
+    Interval { min: min.min(max), max: max.max(min) }
 }
 
 #[cfg(test)]
