@@ -30,10 +30,8 @@ fn prepass(@builtin(global_invocation_id) id: vec3<u32>) {
     let nearest = clamp(axis.o, view.box_min.xyz, view.box_max.xyz);
     let farthest = max(abs(view.box_min.xyz - axis.o), abs(view.box_max.xyz - axis.o));
     let t_end = length(farthest);
-    var t = distance(axis.o, nearest);
-    if view.level.z > 0u {
-        t = max(t, starts[tile_index(corner, view.level.z, view.level.w)].x);
-    }
+    let before = starts[tile_index(corner, max(view.level.z, 1u), view.level.w)].x;
+    var t = max(distance(axis.o, nearest), select(0.0, before, view.level.z > 0u));
 
     // March the axis while the free sphere is wider than the cone.
     var evaluations = 0u;

@@ -78,7 +78,7 @@ fn meet(segment: Segment) -> Met {
     // Corners of the tetrahedron about the hit that are still to be asked.
     var probes = 0u;
 
-    while probes > 0u || (t < end && met.evaluations < MAX_STEPS) {
+    while (probes > 0u) | ((t < end) & (met.evaluations < MAX_STEPS)) {
         // Ask the scene: ahead on the ray, or at a corner about the hit.
         let ahead = min(t + z, end);
         let at_corner = o + met.t * w + met.h * corner(probes - 1u);

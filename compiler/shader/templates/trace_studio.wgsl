@@ -82,6 +82,6 @@ fn key_scattered(x: Vertex, l: vec3<f32>) -> vec3<f32> {
 
 /// How far along a ray it meets the floor; not at all if negative. The floor is seen from above only.
 fn floor_crossing(ray: Ray) -> f32 {
-    let falls = view.studio.y > 0.5 && ray.w.z < -1e-6 && ray.o.z > view.studio.x;
+    let falls = (view.studio.y > 0.5) & (ray.w.z < -1e-6) & (ray.o.z > view.studio.x);
     return select(-1.0, (view.studio.x - ray.o.z) / min(ray.w.z, -1e-6), falls);
 }

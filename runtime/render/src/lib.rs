@@ -19,6 +19,6 @@ mod view;
 pub use error::{Error, Result};
 pub use gpu::{AdapterDescription, Gpu, Preference, adapters};
 pub use model::Model;
-pub use picture::{Evaluations, Picture, Timings};
+pub use picture::{Evaluations, Floor, Picture, Timings};
 pub use probe::distances;
 pub use view::View;

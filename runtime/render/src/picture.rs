@@ -28,8 +28,10 @@ pub struct Picture {
     size: [u32; 2],
     view: View,
     studio: Studio,
+    floor: Floor,
     /// Brightness as a factor.
     exposure: f32,
+    has_floor: bool,
     uses_prepass: bool,
     buffers: Buffers,
     resolver: Resolver,
@@ -40,6 +42,18 @@ pub struct Picture {
     has_starts: bool,
     timings: Timings,
     stopwatch: Stopwatch,
+}
+
+/// Where the studio's floor is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Floor {
+    /// Under the scene's lowest point, wherever the live numbers move it.
+    #[default]
+    Measured,
+    /// At this height, in millimetres.
+    At(f64),
+    /// Nowhere.
+    Missing,
 }
 
 /// How long the last runs took on the device, by its own clock where it has one.
@@ -89,7 +103,9 @@ impl Picture {
             size,
             view,
             studio,
+            floor: Floor::Measured,
             exposure: 1.0,
+            has_floor: true,
             uses_prepass: true,
             buffers,
             resolver,
@@ -111,13 +127,27 @@ impl Picture {
     /// Moves the live numbers to these values, in the order of their ids, and starts anew.
     pub fn set_parameters(&mut self, parameters: &[f64]) -> Result<()> {
         self.model.set_parameters(&self.gpu, parameters)?;
-        self.studio.floor = self.model.lowest(&self.gpu)?;
+        self.place_floor()?;
+        self.restart()
+    }
+
+    /// Moves the floor, and starts anew.
+    pub fn set_floor(&mut self, floor: Floor) -> Result<()> {
+        self.floor = floor;
+        self.place_floor()?;
         self.restart()
     }
 
     /// Sets the brightness as a factor; it needs no new samples.
     pub fn set_exposure(&mut self, exposure: f32) {
         self.exposure = exposure;
+    }
+
+    /// Decides whether a floor catches the scene's shadow where it is seen from above, and starts anew. There is one
+    /// unless it is switched off.
+    pub fn set_floor(&mut self, on: bool) -> Result<()> {
+        self.has_floor = on;
+        self.restart()
     }
 
     /// Decides whether rays start where the cone prepass ended, and starts anew. It is on unless switched off to
@@ -200,6 +230,15 @@ impl Picture {
         self.timings
     }
 
+    fn place_floor(&mut self) -> Result<()> {
+        self.studio.floor = match self.floor {
+            Floor::Measured => self.model.lowest(&self.gpu)?,
+            Floor::At(height) => Some(height),
+            Floor::Missing => None,
+        };
+        Ok(())
+    }
+
     /// Forgets all samples.
     fn restart(&mut self) -> Result<()> {
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
@@ -239,7 +278,8 @@ impl Picture {
     }
 
     fn uniform(&self) -> ViewUniform {
-        ViewUniform::new(&self.view, &self.model.bounds, self.model.lipschitz, self.studio, self.size)
+        let studio = Studio { floor: self.studio.floor.filter(|_| self.has_floor), ..self.studio };
+        ViewUniform::new(&self.view, &self.model.bounds, self.model.lipschitz, studio, self.size)
     }
 
     fn sums(&self) -> Result<Vec<[f32; 4]>> {
