@@ -3,14 +3,16 @@
 use std::sync::Arc;
 
 use chiaro_plane::Region;
-use chiaro_solid::{Affine, Dimension, Scalar, Solid, SolidKind};
+use chiaro_solid::{Affine, Boolean, Dimension, Scalar, Solid, SolidKind};
 use chiaro_syntax::{Diagnostic, Span};
+use chiaro_vocabulary::rows;
 
 use super::decide::{self, Sign};
 use super::extent::{self, Extent};
 use super::instance::{Instance, Module, error};
-use super::make::{self, empty, half, is_empty, moved, radians, region, transformed};
+use super::make::{self, empty, half, is_empty, moved, radians, region, shape, transformed};
 use super::outline::{opened, outline};
+use super::pieces::{Ball, Prism};
 use super::{Built, Stop};
 
 pub(super) const MODULES: &[Module] = &[
@@ -231,14 +233,34 @@ fn on_both_sides(span: Span, child: &Solid) -> Stop {
     Stop::Error(Box::new(diagnostic))
 }
 
+/// The cut through the plane z = 0, or the shadow that falls on it along z.
 fn projection(instance: &mut Instance) -> Built {
     let child = instance.union_in(Dimension::Space);
-    if !instance.flag("cut")? {
-        let diagnostic = Diagnostic::error(instance.head, "the shadow of a solid is not supported yet")
-            .with_hint("`projection(cut = true)` is: the cut through the plane z = 0");
-        return Err(Stop::Error(Box::new(diagnostic)));
+    if is_empty(&child) {
+        return Ok(child);
     }
-    Ok(if is_empty(&child) { child } else { Solid::new(SolidKind::Slice(child), instance.head) })
+    if instance.flag("cut")? {
+        Ok(Solid::new(SolidKind::Slice(child), instance.head))
+    } else {
+        shadow(&child, instance.head)
+    }
+}
+
+fn shadow(solid: &Arc<Solid>, span: Span) -> Built {
+    if let SolidKind::Boolean { operation: Boolean::Union, joint: None, children } = &solid.kind {
+        let children = children.iter().map(|child| shadow(child, span)).collect::<Result<Vec<_>, Stop>>()?;
+        return Ok(Solid::new(SolidKind::Boolean { operation: Boolean::Union, joint: None, children }, span));
+    }
+    if let Some(prism) = Prism::of(solid) {
+        return Ok(prism.base);
+    }
+    if let Some(Ball { center: [x, y, _], radius, .. }) = Ball::of(solid) {
+        return Ok(moved([x, y, Scalar::ZERO], shape(&rows::CIRCLE, [radius], span), span));
+    }
+    let diagnostic = Diagnostic::error(span, "the shadow of this solid is not supported yet")
+        .with_related(solid.span, "because of this")
+        .with_hint("shadows of balls and upright prisms are, and with `cut = true` the cut through any solid");
+    Err(Stop::Error(Box::new(diagnostic)))
 }
 
 /// Turns a solid about z by `rate` degrees for each millimetre of height, anticlockwise seen from above.

@@ -149,7 +149,10 @@ fn extrusions() {
     let leaning = "matrix [1 0 0.75 0; 0 1 0 0; 0 0 1 0]\n  extrude 8\n    circle 1\n";
     assert_eq!(solid("linear_extrude(height = 10, v = [3, 0, 4]) circle();"), leaning);
     assert_eq!(solid("projection(cut = true) sphere();"), "slice\n  sphere 1\n");
-    assert_eq!(solid("projection() sphere();"), "error: the shadow of a solid is not supported yet\n");
+    assert_eq!(solid("projection() translate([1, 2, 3]) sphere();"), "move 1 2 0\n  circle 1\n");
+    let shadows = "union\n  rectangle 0.5 0.5\n  circle 2\n";
+    assert_eq!(solid("projection() { cube(center = true); cylinder(r = 2, h = 9); }"), shadows);
+    assert_eq!(solid("projection() torus();"), "error: the shadow of this solid is not supported yet\n");
 }
 
 #[test]
