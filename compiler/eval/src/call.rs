@@ -49,8 +49,8 @@ impl<'t> Evaluator<'t> {
             if let Some(user) = self.user_function(name, scope)? {
                 return Ok(Callee::User(user));
             }
-            if let Some(built_in) = functions::find(name) {
-                return Ok(Callee::BuiltIn(built_in));
+            if let Some(built_in) = self.functions.get(&**name) {
+                return Ok(Callee::BuiltIn(*built_in));
             }
             return Err(self.unknown_function(name, callee.span, scope));
         }
@@ -105,6 +105,9 @@ impl<'t> Evaluator<'t> {
     }
 
     fn unknown_function(&mut self, name: &Name, span: Span, scope: &Rc<Scope>) -> Halt {
+        if functions::UNSUPPORTED.contains(&&**name) {
+            return self.error(Diagnostic::error(span, format!("`{name}` is not supported yet")));
+        }
         let mut known: Vec<Name> = scope.chain().flat_map(Scope::names).collect();
         known.extend(functions::names().map(Name::from));
         for id in scope.chain().filter_map(|scope| scope.plan) {

@@ -10,7 +10,7 @@ use chiaro_syntax::tree::{Name, Statement};
 use chiaro_syntax::{Diagnostic, Sources, Span};
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 
-use crate::functions::Random;
+use crate::functions::{self, BuiltIn, Random};
 use crate::geometry::{Demotion, Stop};
 use crate::live::Live;
 use crate::load::{FileIndex, Library};
@@ -52,6 +52,7 @@ pub(crate) struct Evaluator<'t> {
     pub(crate) specials: Specials,
     pub(crate) live: Live<'t>,
     pub(crate) random: Random,
+    pub(crate) functions: FxHashMap<&'static str, BuiltIn>,
     /// The children that instances of user modules were given.
     pub(crate) children: Vec<Children<'t>>,
     /// The calls of functions and instances of modules under way, the innermost last.
@@ -117,6 +118,7 @@ impl<'t> Evaluator<'t> {
             specials: Specials::default(),
             live,
             random: Random::default(),
+            functions: functions::by_name(),
             children: Vec::new(),
             calls: Vec::new(),
             modules: Vec::new(),

@@ -11,6 +11,7 @@ pub(crate) use random::Random;
 
 use chiaro_solid::Scalar;
 use chiaro_syntax::{Diagnostic, Span};
+use rustc_hash::FxHashMap;
 
 use crate::evaluator::{Evaluator, Halt, Result};
 use crate::geometry::Argument;
@@ -41,9 +42,13 @@ fn table() -> impl Iterator<Item = &'static BuiltIn> {
     [math::TABLE, lists::TABLE, search::TABLE, strings::TABLE, random::TABLE, types::TABLE].into_iter().flatten()
 }
 
-/// The built-in function of that name.
-pub(crate) fn find(name: &str) -> Option<BuiltIn> {
-    table().find(|function| function.name == name).copied()
+/// The functions of OpenSCAD's that there are not, or not yet.
+pub(crate) const UNSUPPORTED: [&str; 7] =
+    ["dxf_cross", "dxf_dim", "fontmetrics", "has_key", "import", "object", "textmetrics"];
+
+/// All built-in functions by name.
+pub(crate) fn by_name() -> FxHashMap<&'static str, BuiltIn> {
+    table().map(|function| (function.name, *function)).collect()
 }
 
 /// The names of all built-in functions.

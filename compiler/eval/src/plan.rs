@@ -92,8 +92,8 @@ impl<'t> Planner<'t, '_> {
             }
             Statement::Include(path) => {
                 let Some(file) = self.library.linked(path.span.file, &path.node) else { return };
-                let is_open = self.including.contains(&file) || self.library.files[file].id == path.span.file;
-                if is_open {
+                let id = self.library.files[file].id;
+                if self.including.contains(&file) || id == path.span.file || self.is_main(id) {
                     let message = format!("`{}` includes itself", path.node);
                     self.diagnostics.push(Diagnostic::error(path.span, message));
                     return;

@@ -38,6 +38,8 @@ struct Definition {
 
 /// Evaluates the file `main`, and whatever it includes and uses, to a scene.
 ///
+/// If a file can't be read or parsed, or a definition can't, that is all there is to tell: nothing is evaluated then.
+///
 /// The calling thread needs a stack of [`STACK_BYTES`](crate::STACK_BYTES). The scene's parameters are all those live
 /// numbers that the text declares and that did not become structural, used or not; `$t` is among them only if it is
 /// used.
@@ -45,6 +47,10 @@ pub fn evaluate(world: &dyn World, sources: &mut Sources, main: FileId, options:
     let mut diagnostics = Vec::new();
     let library = load(world, sources, main, &options.limits, &mut diagnostics);
     let definitions = definitions(sources, options, &mut diagnostics);
+    if has_errors(&diagnostics) {
+        // What is missing from the text would be missed everywhere.
+        return Evaluation { scene: None, diagnostics };
+    }
     let mut structural = Structural::default();
     // Each round makes at least one parameter structural, and the last one all that are left.
     let mut round = 0;
@@ -64,11 +70,15 @@ pub fn evaluate(world: &dyn World, sources: &mut Sources, main: FileId, options:
         diagnostics.extend(reports);
         diagnostics.append(&mut structural.notes);
         diagnostics.sort_by_key(|diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
-        let failed = diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
+        let failed = has_errors(&diagnostics);
         diagnostics.splice(0..0, echoes);
         let scene = result.ok().filter(|_| !failed).map(|(root, camera)| Scene { root, camera, parameters });
         return Evaluation { scene, diagnostics };
     }
+}
+
+fn has_errors(diagnostics: &[Diagnostic]) -> bool {
+    diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
 }
 
 /// That a number has to be known which no parameter explains. A number that was asked for is live, so that this is
@@ -181,7 +191,8 @@ impl<'t> Evaluator<'t> {
         self.plan(id)
     }
 
-    /// A file that is used, its top level evaluated when it is first needed.
+    /// A file that is used, its top level evaluated when it is first needed. OpenSCAD evaluates it anew in every call,
+    /// which makes a difference only where it depends on variables that follow the calls.
     pub(crate) fn unit(&mut self, file: FileIndex) -> Result<Unit> {
         if let Some(unit) = self.units.get(&file) {
             return Ok(unit.clone());
