@@ -31,7 +31,6 @@ pub struct Picture {
     floor: Floor,
     /// Brightness as a factor.
     exposure: f32,
-    has_floor: bool,
     uses_prepass: bool,
     buffers: Buffers,
     resolver: Resolver,
@@ -105,7 +104,6 @@ impl Picture {
             studio,
             floor: Floor::Measured,
             exposure: 1.0,
-            has_floor: true,
             uses_prepass: true,
             buffers,
             resolver,
@@ -141,13 +139,6 @@ impl Picture {
     /// Sets the brightness as a factor; it needs no new samples.
     pub fn set_exposure(&mut self, exposure: f32) {
         self.exposure = exposure;
-    }
-
-    /// Decides whether a floor catches the scene's shadow where it is seen from above, and starts anew. There is one
-    /// unless it is switched off.
-    pub fn set_floor(&mut self, on: bool) -> Result<()> {
-        self.has_floor = on;
-        self.restart()
     }
 
     /// Decides whether rays start where the cone prepass ended, and starts anew. It is on unless switched off to
@@ -278,8 +269,7 @@ impl Picture {
     }
 
     fn uniform(&self) -> ViewUniform {
-        let studio = Studio { floor: self.studio.floor.filter(|_| self.has_floor), ..self.studio };
-        ViewUniform::new(&self.view, &self.model.bounds, self.model.lipschitz, studio, self.size)
+        ViewUniform::new(&self.view, &self.model.bounds, self.model.lipschitz, self.studio, self.size)
     }
 
     fn sums(&self) -> Result<Vec<[f32; 4]>> {
