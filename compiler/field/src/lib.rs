@@ -1,4 +1,12 @@
 //! Lowers a solid tree to a field graph with sound facts, and evaluates it on the CPU.
+//!
+//! * [`graph`] says what a field graph is, and [`facts`] what is known of its nodes.
+//! * [`lower()`] makes one of a solid tree. It fuses transforms, shares what is equal and leaves out what is not seen.
+//! * [`Evaluator`] answers distances and gradients; [`Graph::bounds_at`] boxes at certain values of live numbers.
+//! * [`print()`] shows a graph as text.
+//!
+//! Inside, `build` keeps graphs free of duplicates, `extent` measures where nodes are, `walk` visits what they refer
+//! to, and `matrix` and `hull` do the arithmetic.
 
 mod at;
 mod build;
@@ -12,10 +20,9 @@ mod matrix;
 mod print;
 mod walk;
 
+pub use chiaro_vocabulary::{Bounds, Class};
 pub use evaluate::Evaluator;
 pub use facts::Facts;
 pub use graph::{Graph, MaterialId, Node, NodeId, Operation, Point, PointId};
 pub use lower::lower;
 pub use print::print;
-
-pub use chiaro_vocabulary::{Bounds, Class};

@@ -115,7 +115,7 @@ impl Affine {
     /// The map that applies `inner` first and then `self`.
     pub fn after(&self, inner: &Affine) -> Affine {
         let entry = |i: usize, j: usize| {
-            let products = (0..3).map(|k| self.rows[i][k].clone() * inner.rows[k][j].clone());
+            let products = (0..3).map(|k| &self.rows[i][k] * &inner.rows[k][j]);
             let linear = products.fold(Scalar::ZERO, |sum, product| sum + product);
             if j == 3 { linear + self.rows[i][3].clone() } else { linear }
         };

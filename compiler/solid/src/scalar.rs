@@ -264,6 +264,17 @@ impl Mul for Scalar {
     }
 }
 
+impl Mul for &Scalar {
+    type Output = Scalar;
+    /// As for owned numbers; constants, which most are, need not be cloned.
+    fn mul(self, other: &Scalar) -> Scalar {
+        match (self, other) {
+            (Scalar::Constant(a), Scalar::Constant(b)) => Scalar::Constant(a * b),
+            (a, b) => a.clone() * b.clone(),
+        }
+    }
+}
+
 impl Div for Scalar {
     type Output = Scalar;
     fn div(self, other: Scalar) -> Scalar {

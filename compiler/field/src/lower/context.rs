@@ -107,7 +107,8 @@ impl Lowering {
         if !rigid {
             self.warn_of_stretch(&since, context.transformed_at);
         }
-        let forward = context.forward.after(&unscaled(&since, &context.size, &[(); 3].map(|()| factor.clone())));
+        let unscaled = unscaled(&since, &context.size, &[(); 3].map(|()| factor.clone()));
+        let forward = if is_identity(&context.forward) { unscaled } else { context.forward.after(&unscaled) };
         Place { forward, size: context.size.clone() * factor, rigid }
     }
 
@@ -214,15 +215,25 @@ impl Lowering {
     pub(super) fn point_at(&mut self, base: PointId, forward: &Affine, round: bool) -> PointId {
         let forward =
             if round { Affine::translation([0, 1, 2].map(|i| forward.rows()[i][3].clone())) } else { forward.clone() };
-        let local = undone(&forward);
-        if local == Affine::identity() { base } else { self.builder.affine(local, forward, base) }
+        if is_identity(&forward) {
+            return base;
+        }
+        self.builder.affine(undone(&forward), forward, base)
     }
+}
+
+fn is_identity(map: &Affine) -> bool {
+    map.is_translation() && map.rows().iter().all(|row| row[3].is(0.0))
 }
 
 /// The inverse of a map from a place to the base point.
 fn undone(forward: &Affine) -> Affine {
     if let Some(rows) = constant_rows(forward) {
-        return Affine::constant(matrix::inverse(&rows));
+        let inverse = matrix::inverse(&rows).map(|row| row.map(Scalar::from));
+        return match forward.similarity() {
+            Similarity::Uniform(factor) => Affine::similar(inverse, Scalar::ONE / factor),
+            Similarity::AtLeast(_) => Affine::new(inverse),
+        };
     }
     if forward.is_translation() {
         return Affine::translation([0, 1, 2].map(|i| -forward.rows()[i][3].clone()));
