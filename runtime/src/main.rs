@@ -1,2 +1,38 @@
 //! The `chiaro` command.
-fn main() {}
+//!
+//! Only this crate touches files and the terminal. Each subcommand is one file of [`commands`]; each of them compiles
+//! through [`session::Session`], which reports what there is to say.
+
+mod arguments;
+mod commands;
+mod files;
+mod images;
+mod session;
+mod terminal;
+mod view;
+mod world;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::arguments::{Arguments, Command};
+
+fn main() -> ExitCode {
+    env_logger::init();
+    let arguments = Arguments::parse();
+    let result = match &arguments.command {
+        Command::Render(render) => commands::render::run(render, &arguments.global),
+        Command::Check(check) => commands::check::run(check, &arguments.global),
+        Command::Dump(dump) => commands::dump::run(dump, &arguments.global),
+        Command::Distance(distance) => commands::distance::run(distance, &arguments.global),
+        Command::Adapters => commands::adapters::run(),
+    };
+    match result {
+        Ok(code) => code,
+        Err(error) => {
+            terminal::fail(&error, arguments.global.message_format);
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,20 @@
+//! `chiaro check`: compiles a scene and reports what is wrong with it.
+
+use std::process::ExitCode;
+
+use anyhow::Result;
+
+use crate::arguments::{Check, Global};
+use crate::{session, terminal};
+
+pub(crate) fn run(arguments: &Check, global: &Global) -> Result<ExitCode> {
+    let compilation = session::compilation(&arguments.scene, global)?;
+    let Some(scene) = &compilation.scene else { return Ok(ExitCode::FAILURE) };
+    // The shader is part of what can go wrong with a scene.
+    if session::wgsl(&compilation, scene, global)?.is_none() {
+        return Ok(ExitCode::FAILURE);
+    }
+    let nodes = scene.graph.nodes.len();
+    terminal::note(global, &format!("{}: no errors; {nodes} nodes in its field", arguments.scene.file.display()));
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,32 @@
+//! `chiaro dump`: prints what one stage of the compiler makes of a scene.
+
+use std::io::{Write, stdout};
+use std::process::ExitCode;
+
+use anyhow::{Context, Result};
+use chiaro_compiler::syntax::{Dialect, FileId, parse, print};
+use chiaro_compiler::{field, solid};
+
+use crate::arguments::{Dump, Global, Stage};
+use crate::session;
+
+pub(crate) fn run(arguments: &Dump, global: &Global) -> Result<ExitCode> {
+    let compilation = session::compilation(&arguments.scene, global)?;
+    let text = match (arguments.stage, &compilation.scene) {
+        (Stage::Syntax, _) => {
+            // A text that has errors further on still has a syntax tree.
+            let Some((id, file)) = compilation.sources.iter().next() else { return Ok(ExitCode::FAILURE) };
+            debug_assert_eq!(id, FileId(0));
+            print(&parse(id, &file.text, Dialect::of_file(&file.name)).0)
+        }
+        (_, None) => return Ok(ExitCode::FAILURE),
+        (Stage::Solid, Some(scene)) => solid::print(&scene.solid),
+        (Stage::Field, Some(scene)) => field::print(&scene.graph),
+        (Stage::Wgsl, Some(scene)) => match session::wgsl(&compilation, scene, global)? {
+            Some(text) => text,
+            None => return Ok(ExitCode::FAILURE),
+        },
+    };
+    stdout().write_all(text.as_bytes()).context("cannot write to standard output")?;
+    Ok(if compilation.has_errors() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}

@@ -1,0 +1,7 @@
+//! The subcommands, one file each.
+
+pub(crate) mod adapters;
+pub(crate) mod check;
+pub(crate) mod distance;
+pub(crate) mod dump;
+pub(crate) mod render;

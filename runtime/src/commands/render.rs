@@ -1,0 +1,136 @@
+//! `chiaro render`: draws a scene into a picture, or into one for each moment of `$t`.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use anyhow::Result;
+use chiaro_compiler::Scene;
+use chiaro_compiler::solid::Camera;
+use chiaro_compiler::vocabulary::Bounds;
+use chiaro_render::{Floor, Gpu, Model, Picture, Preference, View};
+use indicatif::ProgressBar;
+
+use crate::arguments::{AdapterArguments, Global, Render};
+use crate::images::{self, Format};
+use crate::{session, terminal};
+
+/// The name of OpenSCAD's clock, which goes from 0 to 1.
+const CLOCK: &str = "$t";
+
+pub(crate) fn run(arguments: &Render, global: &Global) -> Result<ExitCode> {
+    let format = Format::of(&arguments.output)?;
+    let Some(scene) = session::scene(&arguments.scene, global)? else { return Ok(ExitCode::FAILURE) };
+    let gpu = Gpu::new(&preference(&arguments.adapter))?;
+    let mut studio = Studio::new(&gpu, &scene, arguments)?;
+
+    let frames = arguments.frames.unwrap_or(1);
+    let progress = terminal::progress(global, u64::from(frames * arguments.samples), "samples");
+    for frame in 0..frames {
+        if arguments.frames.is_some() {
+            studio.set_time(f64::from(frame) / f64::from(frames))?;
+        }
+        studio.draw(arguments.samples, &progress)?;
+        let path = match arguments.frames {
+            Some(count) => numbered(&arguments.output, frame, count),
+            None => arguments.output.clone(),
+        };
+        studio.write(&path, format, arguments.size)?;
+    }
+    progress.finish_and_clear();
+    if arguments.frames.is_some() && !studio.moves() {
+        terminal::note(global, "note: nothing in this scene moves with $t; all frames are alike");
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The adapter that the command line asks for.
+pub(crate) fn preference(arguments: &AdapterArguments) -> Preference {
+    arguments.adapter.clone().map_or(Preference::Any, Preference::Named)
+}
+
+/// A scene with its picture in progress.
+struct Studio {
+    camera: Camera,
+    /// The box that is framed where the camera leaves something open.
+    frame: Bounds,
+    aspect: f64,
+    /// The live parameters' values.
+    values: Vec<f64>,
+    /// Which of them is the clock, if any.
+    clock: Option<usize>,
+    picture: Picture,
+}
+
+impl Studio {
+    fn new(gpu: &Gpu, scene: &Scene, arguments: &Render) -> Result<Self> {
+        let graph = scene.picture();
+        let camera = arguments.view.map_or_else(|| scene.camera.clone(), |view| view.apply(&scene.camera));
+        let values = scene.defaults();
+        let (width, height) = arguments.size;
+        let aspect = f64::from(width) / f64::from(height);
+
+        let model = Model::new(gpu, &graph, &values)?;
+        // What moves is framed as far as it may reach, so that neither the view nor the floor moves with it.
+        let reach = graph.facts[graph.root.0 as usize].bounds;
+        let moving = arguments.frames.is_some() && reach.is_finite();
+        let frame = if moving { reach } else { model.extent(gpu)? };
+        let view = View::framing(&camera, &values, &frame, aspect);
+        let mut picture = Picture::new(gpu, &model, view, [width, height])?;
+        picture.set_floor(match (arguments.no_floor, moving) {
+            (true, _) => Floor::Missing,
+            (false, true) => Floor::At(reach.min[2]),
+            (false, false) => Floor::Measured,
+        })?;
+        let clock = scene.parameters.iter().position(|parameter| &*parameter.name == CLOCK);
+        Ok(Self { camera, frame, aspect, values, clock, picture })
+    }
+
+    /// Moves the clock, and the camera if the scene moves it. No pipeline is made for it.
+    fn set_time(&mut self, time: f64) -> Result<()> {
+        if let Some(clock) = self.clock {
+            self.values[clock] = time;
+        }
+        self.picture.set_parameters(&self.values)?;
+        self.picture.set_view(View::framing(&self.camera, &self.values, &self.frame, self.aspect))?;
+        Ok(())
+    }
+
+    fn moves(&self) -> bool {
+        self.clock.is_some()
+    }
+
+    fn draw(&mut self, samples: u32, progress: &ProgressBar) -> Result<()> {
+        for _ in 0..samples {
+            self.picture.sample()?;
+            progress.inc(1);
+        }
+        Ok(())
+    }
+
+    fn write(&self, path: &Path, format: Format, size: (u32, u32)) -> Result<()> {
+        match format {
+            Format::Png => images::write_png(path, size, self.picture.resolve()?),
+            Format::Exr => images::write_exr(path, size, &self.picture.hdr()?),
+        }
+    }
+}
+
+/// `clock.png` as `clock_07.png`, with as many digits as the last frame needs.
+fn numbered(path: &Path, frame: u32, count: u32) -> PathBuf {
+    let digits = (count - 1).to_string().len();
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!("{stem}_{frame:0digits$}.{ending}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_sort_by_name() {
+        let path = Path::new("out/clock.png");
+        assert_eq!(numbered(path, 7, 24), Path::new("out/clock_07.png"));
+        assert_eq!(numbered(path, 0, 1), Path::new("out/clock_0.png"));
+    }
+}

@@ -1,0 +1,214 @@
+//! The command as a user meets it: what it writes, what it says, how it ends.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// A folder with scenes in it, in which the command is run.
+struct Folder(TempDir);
+
+impl Folder {
+    fn new() -> Self {
+        Folder(tempfile::tempdir().expect("a temporary folder can be made"))
+    }
+
+    fn with(self, name: &str, text: impl AsRef<[u8]>) -> Self {
+        fs::write(self.path(name), text).expect("a scene can be written");
+        self
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn run(&self, arguments: &[&str]) -> Output {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
+        command.current_dir(self.0.path()).args(arguments).output().expect("the command can be started")
+    }
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn succeeded(output: Output) -> Output {
+    assert!(output.status.success(), "{}", stderr(&output));
+    output
+}
+
+#[test]
+fn render_writes_a_picture_of_the_size_asked_for() {
+    let folder = Folder::new().with("ball.csg", "color(\"tomato\") sphere(10);");
+    succeeded(folder.run(&["render", "ball.csg", "-o", "ball.png", "--size", "64x48", "--samples", "4"]));
+    let picture = image::open(folder.path("ball.png")).expect("a picture").to_rgb8();
+    assert_eq!(picture.dimensions(), (64, 48));
+    let [r, g, b] = picture.get_pixel(32, 24).0;
+    assert!(r > 120 && r > g + 40 && r > b + 40, "the middle of a red ball is {r}, {g}, {b}");
+}
+
+#[test]
+fn render_writes_linear_radiance_as_exr() {
+    let folder = Folder::new().with("ball.csg", "sphere(10);");
+    succeeded(folder.run(&["render", "ball.csg", "-o", "ball.exr", "--size", "40x30", "--samples", "2"]));
+    let image = exr::prelude::read_first_rgba_layer_from_file(
+        folder.path("ball.exr"),
+        |size, _| vec![[0.0f32; 4]; size.area()],
+        |pixels: &mut Vec<[f32; 4]>, at, (r, g, b, a): (f32, f32, f32, f32)| {
+            pixels[at.y() * 40 + at.x()] = [r, g, b, a]
+        },
+    )
+    .expect("a picture");
+    let pixels = image.layer_data.channel_data.pixels;
+    assert!(pixels.len() == 1200 && pixels.iter().flatten().all(|value| value.is_finite() && *value >= 0.0));
+}
+
+#[test]
+fn frames_are_numbered_and_differ() {
+    let folder = Folder::new().with("turn.csg", "rotate(90 * $t) cube([20, 5, 5]);");
+    let arguments = ["render", "turn.csg", "-o", "f.png", "--size", "48x36", "--samples", "2", "--frames", "3"];
+    succeeded(folder.run(&arguments));
+    let frames: Vec<_> =
+        ["f_0.png", "f_1.png", "f_2.png"].map(|name| fs::read(folder.path(name)).expect("a frame")).into();
+    assert!(frames[0] != frames[1] && frames[1] != frames[2]);
+}
+
+#[test]
+fn a_picture_that_fails_leaves_no_file_and_keeps_the_old_one() {
+    let folder = Folder::new().with("bad.csg", "cube(;").with("old.png", "precious");
+    let output = folder.run(&["render", "bad.csg", "-o", "old.png"]);
+    assert!(!output.status.success());
+    assert_eq!(fs::read(folder.path("old.png")).unwrap(), b"precious");
+    let names: Vec<_> = fs::read_dir(folder.0.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(names.len(), 2, "{names:?}");
+}
+
+#[test]
+fn distances_of_cpu_and_gpu_agree() {
+    let scene =
+        "difference(r = 1) { cube(10, center = true); rotate([20, 30, 0]) cylinder(h = 20, r = 3, center = true); }";
+    let points: String =
+        (0..200).map(|i| format!("{{\"p\":[{}, {}, {}]}}\n", i % 7 - 3, i % 11 - 5, i % 13 - 6)).collect();
+    let folder = Folder::new().with("a.csg", scene).with("points.jsonl", points);
+    let answers = |extra: &[&str]| -> Vec<Value> {
+        let arguments = [&["distance", "a.csg", "--points", "points.jsonl"], extra].concat();
+        stdout(&succeeded(folder.run(&arguments))).lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+    };
+    let (cpu, gpu) = (answers(&[]), answers(&["--gpu"]));
+    assert_eq!(cpu.len(), 200);
+    for (a, b) in cpu.iter().zip(&gpu) {
+        assert_eq!(a["p"], b["p"]);
+        assert_eq!(a["lipschitz"], 1.0);
+        let (a, b) = (a["f"].as_f64().unwrap(), b["f"].as_f64().unwrap());
+        assert!((a - b).abs() < 1e-4, "{a} on the CPU, {b} on the GPU");
+    }
+}
+
+#[test]
+fn plane_scenes_take_points_with_two_coordinates() {
+    let folder =
+        Folder::new().with("disc.csg", "circle(5);").with("points.jsonl", "{\"header\": true}\n{\"p\": [8, 0]}\n");
+    let output = succeeded(folder.run(&["distance", "disc.csg", "--points", "points.jsonl"]));
+    assert_eq!(stdout(&output), "{\"f\":3.0,\"lipschitz\":1.0,\"p\":[8.0,0.0]}\n");
+}
+
+#[test]
+fn every_stage_can_be_printed() {
+    let folder = Folder::new().with("a.csg", "r = 3;\nunion(r = 1) { sphere(r); translate([4, 0, 0]) cube(2); }\n");
+    for (stage, part) in
+        [("syntax", "union(r = 1)"), ("solid", "sphere"), ("field", "sphere"), ("wgsl", "fn scene_distance")]
+    {
+        let output = succeeded(folder.run(&["dump", "a.csg", "--stage", stage]));
+        assert!(stdout(&output).contains(part), "{stage}: {}", stdout(&output));
+    }
+}
+
+#[test]
+fn errors_say_where_and_how_to_mend_them() {
+    let folder = Folder::new().with("a.csg", "cube(3);\nsphree(2);\n");
+    let output = folder.run(&["check", "a.csg"]);
+    assert_eq!(output.status.code(), Some(1));
+    let text = stderr(&output);
+    assert!(text.contains("a.csg:2:1") && text.contains("sphere") && text.contains("sphree(2)"), "{text}");
+
+    let output = folder.run(&["check", "a.csg", "--message-format", "json"]);
+    let object: Value = serde_json::from_str(stderr(&output).lines().next().unwrap()).unwrap();
+    assert_eq!((&object["severity"], &object["place"]["line"]), (&Value::from("error"), &Value::from(2)));
+}
+
+#[test]
+fn definitions_set_parameters() {
+    let folder = Folder::new().with("a.csg", "r = 1; // [1:10]\nsphere(r);\n").with("p.jsonl", "{\"p\":[20,0,0]}\n");
+    let output = succeeded(folder.run(&["distance", "a.csg", "-D", "r=12", "--points", "p.jsonl"]));
+    assert!(stdout(&output).contains("\"f\":8.0"), "{}", stdout(&output));
+    let output = folder.run(&["check", "a.csg", "-D", "radius=2"]);
+    assert!(!output.status.success() && stderr(&output).contains("radius"), "{}", stderr(&output));
+}
+
+/// Whatever the input, the command ends soon, with status 1 and an error; it neither panics nor dies.
+#[test]
+fn hostile_input_is_an_error() {
+    let deep = |open: &str, close: &str| format!("{}1{}", open.repeat(100_000), close.repeat(100_000));
+    let scenes: Vec<(&str, Vec<u8>)> = vec![
+        ("brackets", format!("x = {};", deep("[", "]")).into()),
+        ("parentheses", format!("x = {};", deep("(", ")")).into()),
+        ("unclosed", "(".repeat(100_000).into()),
+        ("minus", format!("x = {}1;", "-".repeat(100_000)).into()),
+        ("moves", format!("{}cube(1);", "translate([1, 0, 0]) ".repeat(100_000)).into()),
+        ("blocks", format!("{}{}", "union() {".repeat(100_000), "}".repeat(100_000)).into()),
+        ("rubbish", (0..100_000u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect()),
+        ("recursion", "function f(x) = f(x + 1) + 1; echo(f(0)); cube(1);".into()),
+        ("modules", "module m(x) { translate([x, 0, 0]) m(x + 1); } m(0);".into()),
+        ("loop", "for (i = [0 : 1e12]) cube(i);".into()),
+        ("endless", "x = [for (i = 0; true; i = i + 1) i]; cube(1);".into()),
+        ("doubling", "function f(s, n) = n == 0 ? s : f(str(s, s), n - 1); echo(len(f(\"abc\", 60))); cube(1);".into()),
+        ("lists", "function f(s, n) = n == 0 ? s : f(concat(s, s), n - 1); echo(len(f([1], 60))); cube(1);".into()),
+        ("missing", "include <nowhere.scad>\ncube(1);".into()),
+        ("cycle", "include <cycle.csg>\ncube(1);".into()),
+        ("names", "cube(size);\nspere(1);".into()),
+        ("assertion", "assert(1 > 2, \"no\"); cube(1);".into()),
+        ("empty_name", "= 3;".into()),
+    ];
+    for (name, text) in scenes {
+        let file = format!("{name}.csg");
+        let folder = Folder::new().with(&file, text);
+        let output = folder.run(&["check", &file]);
+        let text = stderr(&output);
+        assert_eq!(output.status.code(), Some(1), "{name}: {}", text.chars().take(2000).collect::<String>());
+        assert!(text.contains("error") && !text.contains("panicked"), "{name}: {text}");
+        assert!(text.len() < 200_000, "{name}: {} bytes of errors", text.len());
+    }
+}
+
+/// Numbers that make no solid leave it out with a warning, as OpenSCAD does; they are no reason to fail.
+#[test]
+fn odd_numbers_make_empty_solids() {
+    let text = "cube([0/0, 1, 1]); sphere(-1); scale([0, 1, 1]) sphere(1); cylinder(h = 1/0, r = 1); sphere(3);";
+    let folder = Folder::new().with("odd.csg", text).with("p.jsonl", "{\"p\":[5,0,0]}\n");
+    let output = succeeded(folder.run(&["distance", "odd.csg", "--points", "p.jsonl"]));
+    assert!(stdout(&output).contains("\"f\":2.0"), "{}", stdout(&output));
+    assert!(stderr(&output).contains("warning"), "{}", stderr(&output));
+}
+
+#[test]
+fn what_can_not_be_read_or_written_is_said() {
+    let folder = Folder::new().with("a.csg", "cube(1);");
+    for (arguments, part) in [
+        (vec!["check", "nowhere.csg"], "nowhere.csg"),
+        (vec!["check", "."], "folder"),
+        (vec!["render", "a.csg", "-o", "a.gif"], ".png or .exr"),
+        (vec!["render", "a.csg", "-o", "no/such/folder/a.png", "--size", "8x8", "--samples", "1"], "no/such/folder"),
+        (vec!["distance", "a.csg", "--points", "nowhere.jsonl"], "nowhere.jsonl"),
+    ] {
+        let output = folder.run(&arguments);
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        assert!(stderr(&output).contains(part), "{arguments:?}: {}", stderr(&output));
+    }
+    assert!(!Path::new("no").exists());
+}
