@@ -9,10 +9,10 @@ const KEY_DIRECTION: vec3<f32> = vec3<f32>(-0.62, -0.36, 0.70);
 const KEY_RADIUS: f32 = 0.11;
 const KEY_IRRADIANCE: vec3<f32> = vec3<f32>(2.60, 2.45, 2.28);
 
-/// The sky's radiance overhead, level, and below.
+/// The sky's radiance overhead, level, and, where there is no floor, below.
 const SKY_ZENITH: vec3<f32> = vec3<f32>(0.46, 0.49, 0.53);
 const SKY_LEVEL: vec3<f32> = vec3<f32>(0.26, 0.27, 0.29);
-const SKY_NADIR: vec3<f32> = vec3<f32>(0.16, 0.155, 0.15);
+const SKY_NADIR: vec3<f32> = vec3<f32>(0.36, 0.35, 0.34);
 
 /// What the floor scatters, and the share of the key light in the light that reaches it.
 const FLOOR_ALBEDO: vec3<f32> = vec3<f32>(0.62, 0.61, 0.60);

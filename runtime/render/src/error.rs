@@ -28,14 +28,19 @@ pub enum Error {
     #[error("{}", .0.message)]
     Scene(Box<Diagnostic>),
     /// The picture is larger than the adapter can draw, or has no pixels.
-    #[error("a picture of {width} × {height} pixels cannot be drawn: from 1 × 1 up to {largest} × {largest} can")]
+    #[error(
+        "a picture of {width} × {height} pixels cannot be drawn: \
+         this graphics adapter draws up to {most_pixels} pixels, at most {longest_edge} along an edge"
+    )]
     PictureSize {
         /// The width asked for.
         width: u32,
         /// The height asked for.
         height: u32,
-        /// The edge of the largest square picture.
-        largest: u32,
+        /// The most pixels that a picture may have along one edge.
+        longest_edge: u32,
+        /// The most pixels that a picture may have in all.
+        most_pixels: u64,
     },
     /// The scene needs a larger buffer than the adapter has.
     #[error("the scene's {what} take {needed} bytes; this graphics adapter has room for {limit}")]

@@ -11,6 +11,7 @@ use wgpu::{
 };
 
 use crate::error::{Error, Result};
+use crate::picture::BYTES_PER_PIXEL;
 
 /// How long one submission may take. Software drivers compile large shaders within their first one.
 const PATIENCE: Duration = Duration::from_secs(300);
@@ -116,12 +117,15 @@ impl Gpu {
         &self.device
     }
 
-    /// The edge in pixels of the largest square picture.
-    pub fn largest_picture(&self) -> u32 {
+    /// The most pixels that a picture may have along one edge.
+    pub fn longest_edge(&self) -> u32 {
+        self.device.limits().max_texture_dimension_2d
+    }
+
+    /// The most pixels that a picture may have in all.
+    pub fn most_pixels(&self) -> u64 {
         let limits = self.device.limits();
-        let buffer = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
-        let pixels = buffer / crate::picture::BYTES_PER_PIXEL;
-        limits.max_texture_dimension_2d.min(pixels.isqrt().try_into().unwrap_or(u32::MAX))
+        limits.max_storage_buffer_binding_size.min(limits.max_buffer_size) / BYTES_PER_PIXEL
     }
 
     /// How many pipelines were compiled so far; moving a live number or the view compiles none.

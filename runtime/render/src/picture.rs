@@ -88,9 +88,11 @@ impl Picture {
     /// A picture of `size` pixels (width, height). The studio's lights stand as this view sees them, and stay there
     /// when the view changes.
     pub fn new(gpu: &Gpu, model: &Model, view: View, size: [u32; 2]) -> Result<Self> {
-        let largest = gpu.largest_picture();
-        if size.iter().any(|&edge| edge == 0 || edge > largest) {
-            return Err(Error::PictureSize { width: size[0], height: size[1], largest });
+        let [width, height] = size;
+        let (longest_edge, most_pixels) = (gpu.longest_edge(), gpu.most_pixels());
+        let pixels = u64::from(width) * u64::from(height);
+        if pixels == 0 || pixels > most_pixels || width.max(height) > longest_edge {
+            return Err(Error::PictureSize { width, height, longest_edge, most_pixels });
         }
         let levels = levels(size);
         let buffers = Buffers::new(gpu, model, size, &levels)?;
