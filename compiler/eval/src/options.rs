@@ -56,7 +56,7 @@ impl Default for Limits {
     fn default() -> Self {
         Self {
             rounds: 1_000_000,
-            steps: 400_000_000,
+            steps: 500_000_000,
             nesting: 60_000,
             solid_depth: 1_000,
             solids: 2_000_000,
