@@ -21,6 +21,9 @@ pub(crate) struct Extent {
     /// The points with values of at most δ > 0 are within δ times this of the box, along each axis (for a single
     /// shape even as the crow flies). Infinite where that is not known.
     pub(crate) growth: f64,
+    /// How far the box may grow before it meets the rim of a [`Point::Confined`] that the node is asked at, from where
+    /// on small values reach out without end. Infinite where there is none.
+    pub(crate) room: f64,
 }
 
 /// The ranges of numbers and maps: over all values of the live parameters, or at some of them.
@@ -50,25 +53,37 @@ pub(crate) struct Measure<'a> {
 type Memo = FxHashMap<(NodeId, PointId), Extent>;
 
 impl Extent {
-    const EVERYWHERE: Extent = Extent { bounds: Bounds::ALL, growth: 0.0 };
-    const NOWHERE: Extent = Extent { bounds: Bounds::EMPTY, growth: f64::INFINITY };
+    const EVERYWHERE: Extent = Extent { bounds: Bounds::ALL, growth: 0.0, room: f64::INFINITY };
+    const NOWHERE: Extent = Extent { bounds: Bounds::EMPTY, growth: f64::INFINITY, room: f64::INFINITY };
+
+    fn exact(bounds: Bounds) -> Extent {
+        Extent { bounds, growth: 1.0, room: f64::INFINITY }
+    }
 
     /// A box around the points whose value is at most `value`.
     pub(crate) fn within(&self, value: f64) -> Bounds {
+        self.grown(value).bounds
+    }
+
+    /// The extent of the node with its values reduced by `value`.
+    fn grown(&self, value: f64) -> Extent {
         if value <= 0.0 || self.bounds == Bounds::ALL {
-            self.bounds
-        } else if (self.growth * value).is_finite() {
-            self.bounds.inflate(self.growth * value)
+            return *self;
+        }
+        let by = self.growth * value;
+        if by.is_finite() && by < self.room {
+            Extent { bounds: self.bounds.inflate(by), growth: self.growth, room: self.room - by }
         } else {
-            Bounds::ALL
+            Extent::EVERYWHERE
         }
     }
 
     fn union(extents: impl Iterator<Item = Extent>) -> Extent {
-        let none = Extent { bounds: Bounds::EMPTY, growth: 0.0 };
+        let none = Extent { bounds: Bounds::EMPTY, growth: 0.0, room: f64::INFINITY };
         extents.fold(none, |all, extent| Extent {
             bounds: all.bounds.union(&extent.bounds),
             growth: all.growth.max(extent.growth),
+            room: all.room.min(extent.room),
         })
     }
 
@@ -77,6 +92,7 @@ impl Extent {
         let all = extents.fold(Extent::EVERYWHERE, |all, extent| Extent {
             bounds: all.bounds.intersection(&extent.bounds),
             growth: all.growth.max(if extent.bounds == Bounds::ALL { 0.0 } else { extent.growth }),
+            room: all.room.min(extent.room),
         });
         if all.bounds.is_empty() { Extent::NOWHERE } else { all }
     }
@@ -114,13 +130,13 @@ impl Measure<'_> {
                     min: [min[0], min[1], f64::NEG_INFINITY],
                     max: [max[0], max[1], f64::INFINITY],
                 });
-                self.pull(Extent { bounds, growth: 1.0 }, *point, frame)
+                self.pull(Extent::exact(bounds), *point, frame)
             }
             Node::Polytope(triangles, point) => {
                 let corners = triangles.iter().flatten();
                 let bounds =
                     corners.fold(Bounds::EMPTY, |all, corner| all.union(&Bounds { min: *corner, max: *corner }));
-                self.pull(Extent { bounds, growth: 1.0 }, *point, frame)
+                self.pull(Extent::exact(bounds), *point, frame)
             }
             Node::Boolean(operation, joint, children) => {
                 let children = children.iter().map(|child| self.child(*child, frame, known, memo));
@@ -129,7 +145,7 @@ impl Measure<'_> {
                     (Operation::Union, None) => Extent::union(children),
                     (Operation::Union, Some(joint)) => {
                         let bulge = bulge(joint.profile, children.len()) * self.ranges.range(&joint.radius).max;
-                        Extent::union(children.map(|child| Extent { bounds: child.within(bulge), ..child }))
+                        Extent::union(children.map(|child| child.grown(bulge)))
                     }
                 }
             }
@@ -141,7 +157,7 @@ impl Measure<'_> {
             Node::Extrude(height, child, point) => {
                 let across = self.rounded(*child, *point, known, memo);
                 let z = Interval { min: 0.0, max: self.ranges.range(height).max };
-                let along = Extent { bounds: Bounds::new(Interval::ALL, Interval::ALL, z), growth: 1.0 };
+                let along = Extent::exact(Bounds::new(Interval::ALL, Interval::ALL, z));
                 self.pull(Extent::intersection([across, along].into_iter()), *point, frame)
             }
             Node::Taper(_, _, child, _) | Node::Paint(_, child) => self.child(*child, frame, known, memo),
@@ -149,9 +165,10 @@ impl Measure<'_> {
                 let within = self.rounded(*child, *point, known, memo);
                 let radius = self.ranges.range(radius).max;
                 let across = Interval { min: -radius, max: radius };
-                let disc = Extent { bounds: Bounds::new(across, across, Interval::ALL), growth: 0.0 };
+                let disc = Extent { growth: 0.0, ..Extent::exact(Bounds::new(across, across, Interval::ALL)) };
                 let both = Extent::intersection([within, disc].into_iter());
-                self.pull(Extent { growth: both.growth + 1.0 / lipschitz, ..both }, *point, frame)
+                let growth = both.growth + 1.0 / lipschitz;
+                self.pull(Extent { growth, room: f64::INFINITY, ..both }, *point, frame)
             }
         }
     }
@@ -168,20 +185,20 @@ impl Measure<'_> {
     fn of_shape(&self, row: &Row, arguments: &[Scalar]) -> Extent {
         let arguments: Vec<Interval> = arguments.iter().map(|argument| self.ranges.range(argument)).collect();
         let growth = if row.class == Class::Bound { f64::INFINITY } else { 1.0 };
-        Extent { bounds: (row.bounds)(&arguments), growth }
+        Extent { growth, ..Extent::exact((row.bounds)(&arguments)) }
     }
 
     fn adjusted(&self, row: &Row, arguments: &[Scalar], child: Extent) -> Extent {
         let Some(by) = arguments.first().map(|argument| self.ranges.range(argument)) else { return child };
         if *row == rows::OFFSET {
-            Extent { bounds: child.within(by.max), ..child }
+            child.grown(by.max)
         } else if *row == rows::SHELL {
-            Extent { bounds: child.within(0.5 * by.max), ..child }
+            child.grown(0.5 * by.max)
         } else if *row == rows::SCALE {
             let growth = if by.min > 0.0 { child.growth / by.min } else { f64::INFINITY };
             Extent { growth, ..child }
         } else {
-            Extent { bounds: Bounds::ALL, growth: 0.0 }
+            Extent::EVERYWHERE
         }
     }
 
@@ -217,9 +234,13 @@ impl Measure<'_> {
         } else if *row == rows::EXTRUDE {
             let scale = [2, 3].map(|index: usize| self.ranges.range(&arguments[index]));
             let (across, growth) = unextruded([x, y], scale, &arguments[1]);
-            Extent { bounds: Bounds::new(across[0], across[1], Interval::ALL), growth: extent.growth * growth }
+            Extent {
+                bounds: Bounds::new(across[0], across[1], Interval::ALL),
+                growth: extent.growth * growth,
+                room: extent.room * growth,
+            }
         } else {
-            Extent { bounds: Bounds::ALL, growth: 0.0 }
+            Extent::EVERYWHERE
         }
     }
 }
@@ -253,15 +274,15 @@ fn placed(extent: Extent, placement: &Placement) -> Extent {
         Interval { min: linear.min.max(-reach), max: linear.max.min(reach) } + row[3]
     });
     let [x, y, z] = mapped;
-    Extent { bounds: Bounds::new(x, y, z), growth: extent.growth * placement.stretch }
+    let Placement { stretch, .. } = placement;
+    Extent { bounds: Bounds::new(x, y, z), growth: extent.growth * stretch, room: extent.room * stretch }
 }
 
 /// What the confinement to a disc sends into an extent: nothing more, if the extent keeps clear of the disc's rim.
-/// (Growth is meant with the [`Node::Confine`] above, which keeps the values beyond the rim large.)
 fn unconfined(extent: Extent, radius: f64) -> Extent {
     let reach = extent.bounds.axis(0).magnitude().hypot(extent.bounds.axis(1).magnitude());
     if reach < radius {
-        return extent;
+        return Extent { room: extent.room.min(radius - reach), ..extent };
     }
     Extent { bounds: Bounds::new(Interval::ALL, Interval::ALL, extent.bounds.axis(2)), ..extent }
 }

@@ -10,6 +10,8 @@ pub struct Facts {
     /// What its values are, once divided by the Lipschitz constant.
     pub class: Class,
     /// The Lipschitz constant: the greatest slope of the node's value anywhere. The value itself is not divided by
-    /// it: marching steps by value / L, while joints, offsets and normals use the value.
+    /// it: marching steps by value / L, while joints, offsets and normals use the value. (What stands below a
+    /// [`Taper`](crate::Node::Taper) is in units that change with the height. Its constant is the one that makes the
+    /// tapered distance's right; it does not hold for itself.)
     pub lipschitz: f64,
 }

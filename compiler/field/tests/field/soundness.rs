@@ -1,7 +1,7 @@
 //! What the graph claims of itself holds, sampled over random trees.
 
 use crate::trees::{self, Random, Trees};
-use chiaro_field::{Class, Evaluator, Graph, NodeId, lower};
+use chiaro_field::{Class, Evaluator, Graph, Node, NodeId, lower};
 use chiaro_solid::{ParameterId, Scalar};
 use chiaro_vocabulary::Interval;
 
@@ -48,6 +48,33 @@ fn broken(graph: &Graph, parameters: &[f64], random: &mut Random) -> Option<Stri
     None
 }
 
+/// The first claim of a graph about any of its nodes that does not hold.
+fn broken_inside(graph: &Graph, parameters: &[f64], random: &mut Random) -> Option<String> {
+    const SLACK: f64 = 1e-6;
+    let evaluator = Evaluator::new(graph, parameters);
+    let points: Vec<[f64; 3]> = (0..24).map(|_| random.point(12.0)).collect();
+    let mut tapered = vec![false; graph.nodes.len()];
+    for (index, node) in graph.nodes.iter().enumerate().rev() {
+        let below = tapered[index] || matches!(node, Node::Taper(..));
+        node.children().iter().for_each(|child| tapered[child.0 as usize] |= below);
+    }
+    for (index, facts) in graph.facts.iter().enumerate() {
+        let values: Vec<f64> = points.iter().map(|p| evaluator.value(NodeId(index as u32), *p)).collect();
+        let outside = points.iter().zip(&values).find(|(p, f)| **f < -SLACK && facts.bounds.distance(**p) > SLACK);
+        if let Some((p, f)) = outside {
+            return Some(format!("d{index} is {f} at {p:?}, outside of {:?}", facts.bounds));
+        }
+        for (pair, f) in points.windows(2).zip(values.windows(2)) {
+            let apart = (0..3).map(|axis| (pair[0][axis] - pair[1][axis]).powi(2)).sum::<f64>().sqrt();
+            let steep = (f[0] - f[1]).abs() > facts.lipschitz * apart * (1.0 + SLACK) + SLACK;
+            if steep && !tapered[index] {
+                return Some(format!("d{index} is {f:?} at {pair:?} with L = {}", facts.lipschitz));
+            }
+        }
+    }
+    None
+}
+
 fn is_error(diagnostic: &chiaro_syntax::Diagnostic) -> bool {
     diagnostic.severity == chiaro_syntax::Severity::Error
 }
@@ -74,7 +101,8 @@ fn constant_trees() {
         if diagnostics.iter().any(is_error) {
             continue;
         }
-        failures.extend(broken(&graph, &[], &mut random).map(|what| format!("seed {seed}: {what}")));
+        let what = broken(&graph, &[], &mut random).or_else(|| broken_inside(&graph, &[], &mut random));
+        failures.extend(what.map(|what| format!("seed {seed}: {what}")));
     }
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }
