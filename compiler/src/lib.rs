@@ -45,8 +45,42 @@ impl Compilation {
     }
 }
 
+/// The most distinct live numbers of a scene. Shaders that read more of them run far slower than if all were constants.
+const MOST_LIVE_NUMBERS: usize = 1024;
+
 /// Compiles the file `name` of `world`, up to its field graph.
+///
+/// A scene that can't be drawn with its parameters live, because a slope or a bound would have no limit or because too
+/// many numbers depend on them, is compiled again with constants in their place, and a note says so.
 pub fn compile(world: &dyn World, name: &str, options: &Options) -> Compilation {
+    let mut compilation = attempt(world, name, options);
+    if let Some(reason) = reason_to_freeze(&compilation) {
+        compilation = attempt(world, name, &Options { frozen: true, ..options.clone() });
+        let note = format!("changing a parameter recompiles this scene: {reason}");
+        compilation.diagnostics.push(Diagnostic::note(None, note));
+    }
+    if compilation.has_errors() {
+        compilation.scene = None;
+    }
+    compilation
+}
+
+/// Why the scene should not have live numbers, if it has any.
+fn reason_to_freeze(compilation: &Compilation) -> Option<String> {
+    let scene = compilation.scene.as_ref()?;
+    if scene.graph.slots.is_empty() {
+        return None;
+    }
+    let errors = compilation.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
+    match errors.map(|error| &error.message).next() {
+        Some(message) => Some(message.clone()),
+        None if scene.graph.slots.len() > MOST_LIVE_NUMBERS => Some("too many numbers depend on them".to_owned()),
+        None => None,
+    }
+}
+
+/// Compiles with just these options. There is a scene even if lowering it had errors.
+fn attempt(world: &dyn World, name: &str, options: &Options) -> Compilation {
     let mut sources = Sources::default();
     let text = match world.read(name) {
         Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
@@ -56,12 +90,11 @@ pub fn compile(world: &dyn World, name: &str, options: &Options) -> Compilation 
         }
     };
     let main = sources.add(SourceFile::new(name, text));
-
-    let Evaluation { scene, mut diagnostics } = with_deep_stack(|| evaluate(world, &mut sources, main, options));
-    let scene = scene.map(|evaluated| Scene::lower(evaluated, &mut diagnostics));
-
-    let failed = diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
-    Compilation { sources, diagnostics, scene: if failed { None } else { scene } }
+    with_deep_stack(|| {
+        let Evaluation { scene, mut diagnostics } = evaluate(world, &mut sources, main, options);
+        let scene = scene.map(|evaluated| Scene::lower(evaluated, &mut diagnostics));
+        Compilation { sources, diagnostics, scene }
+    })
 }
 
 /// Runs `work` on a thread of its own whose stack fits the deepest program that the evaluator's limits allow.

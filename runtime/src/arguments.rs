@@ -17,7 +17,7 @@ pub(crate) struct Arguments {
 }
 
 /// What every subcommand takes.
-#[derive(Debug, Args)]
+#[derive(Clone, Copy, Debug, Args)]
 pub(crate) struct Global {
     /// Say nothing but errors, and draw no progress bars.
     #[arg(long, short, global = true)]
@@ -53,7 +53,7 @@ pub(crate) enum Command {
 }
 
 /// The scene, and what is said about it on the command line.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub(crate) struct SceneArguments {
     /// The scene: a .csg or .scad file.
     pub(crate) file: PathBuf,

@@ -79,6 +79,16 @@ fn frames_are_numbered_and_differ() {
     assert!(frames[0] != frames[1] && frames[1] != frames[2]);
 }
 
+/// Where the clock decides the structure, each frame is compiled for its own time.
+#[test]
+fn frames_differ_also_where_the_clock_decides_the_structure() {
+    let folder = Folder::new().with("grow.csg", "for (i = [0 : 3 * $t]) translate([12 * i, 0, 0]) sphere(5);");
+    let arguments = ["render", "grow.csg", "-o", "f.png", "--size", "48x36", "--samples", "2", "--frames", "2"];
+    succeeded(folder.run(&arguments));
+    let frames = ["f_0.png", "f_1.png"].map(|name| fs::read(folder.path(name)).expect("a frame"));
+    assert!(frames[0] != frames[1]);
+}
+
 #[test]
 fn a_picture_that_fails_leaves_no_file_and_keeps_the_old_one() {
     let folder = Folder::new().with("bad.csg", "cube(;").with("old.png", "precious");

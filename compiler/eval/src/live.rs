@@ -16,6 +16,8 @@ type Key = (Arc<str>, Option<usize>);
 /// The live parameters of one evaluation.
 pub(crate) struct Live<'t> {
     structural: &'t Structural,
+    /// Whether all of them are taken as structural.
+    frozen: bool,
     /// The parameters, in the order of their ids.
     pub(crate) parameters: Vec<LiveParameter>,
     time: Option<Scalar>,
@@ -71,8 +73,8 @@ fn note(parameter: &LiveParameter, demotion: &Demotion) -> Diagnostic {
 
 impl<'t> Live<'t> {
     /// No parameters yet.
-    pub(crate) fn new(structural: &'t Structural) -> Self {
-        Self { structural, parameters: Vec::new(), time: None, default_time: 0.0 }
+    pub(crate) fn new(structural: &'t Structural, frozen: bool) -> Self {
+        Self { structural, frozen, parameters: Vec::new(), time: None, default_time: 0.0 }
     }
 
     /// What a top-level variable stands for: its value, with numbers replaced by live parameters if its Customizer
@@ -145,7 +147,7 @@ impl<'t> Live<'t> {
     }
 
     fn is_structural(&self, name: &str, component: Option<usize>) -> bool {
-        self.structural.keys.iter().any(|(other, at)| &**other == name && *at == component)
+        self.frozen || self.structural.keys.iter().any(|(other, at)| &**other == name && *at == component)
     }
 
     fn add(&mut self, parameter: LiveParameter) -> Scalar {

@@ -23,6 +23,8 @@ pub struct Options {
     pub definitions: Vec<(String, String)>,
     /// What `$fn` does to curves.
     pub facets: Facets,
+    /// Whether Customizer parameters and `$t` are constants, instead of live.
+    pub frozen: bool,
     /// What no scene may exceed.
     pub limits: Limits,
 }

@@ -56,7 +56,7 @@ pub fn evaluate(world: &dyn World, sources: &mut Sources, main: FileId, options:
     let mut round = 0;
     loop {
         round += 1;
-        let mut evaluator = Evaluator::new(&library, sources, options, Live::new(&structural));
+        let mut evaluator = Evaluator::new(&library, sources, options, Live::new(&structural, options.frozen));
         let result = evaluator.scene(&definitions);
         let parameters = std::mem::take(&mut evaluator.live.parameters);
         let reports = std::mem::take(&mut evaluator.diagnostics);

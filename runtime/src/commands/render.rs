@@ -10,7 +10,7 @@ use chiaro_compiler::vocabulary::Bounds;
 use chiaro_render::{Floor, Gpu, Model, Picture, Preference, View};
 use indicatif::ProgressBar;
 
-use crate::arguments::{AdapterArguments, Global, Render};
+use crate::arguments::{AdapterArguments, Global, Render, SceneArguments};
 use crate::images::{self, Format};
 use crate::{session, terminal};
 
@@ -24,10 +24,16 @@ pub(crate) fn run(arguments: &Render, global: &Global) -> Result<ExitCode> {
     let mut studio = Studio::new(&gpu, &scene, arguments)?;
 
     let frames = arguments.frames.unwrap_or(1);
-    let progress = terminal::progress(global, u64::from(frames * arguments.samples), "samples");
+    let progress = terminal::progress(global, u64::from(frames) * u64::from(arguments.samples), "samples");
     for frame in 0..frames {
         if arguments.frames.is_some() {
-            studio.set_time(f64::from(frame) / f64::from(frames))?;
+            let time = f64::from(frame) / f64::from(frames);
+            if studio.has_clock() {
+                studio.set_time(time)?;
+            } else if frame > 0 {
+                let Some(scene) = scene_at(time, &arguments.scene, global)? else { return Ok(ExitCode::FAILURE) };
+                studio.replace(&gpu, &scene)?;
+            }
         }
         studio.draw(arguments.samples, &progress)?;
         let path = match arguments.frames {
@@ -37,10 +43,15 @@ pub(crate) fn run(arguments: &Render, global: &Global) -> Result<ExitCode> {
         studio.write(&path, format, arguments.size)?;
     }
     progress.finish_and_clear();
-    if arguments.frames.is_some() && !studio.moves() {
-        terminal::note(global, "note: nothing in this scene moves with $t; all frames are alike");
-    }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The scene compiled for another time, where the clock is not live because it decides the scene's structure.
+fn scene_at(time: f64, arguments: &SceneArguments, global: &Global) -> Result<Option<Scene>> {
+    let mut arguments = arguments.clone();
+    arguments.definitions.push((CLOCK.to_owned(), time.to_string()));
+    // What there is to say about the scene was said of the first frame; but errors may be new.
+    session::scene(&arguments, &Global { quiet: true, ..*global })
 }
 
 /// The adapter that the command line asks for.
@@ -54,6 +65,7 @@ struct Studio {
     /// The box that is framed where the camera leaves something open.
     frame: Bounds,
     aspect: f64,
+    floor: Floor,
     /// The live parameters' values.
     values: Vec<f64>,
     /// Which of them is the clock, if any.
@@ -70,19 +82,20 @@ impl Studio {
         let aspect = f64::from(width) / f64::from(height);
 
         let model = Model::new(gpu, &graph, &values)?;
+        let clock = scene.parameters.iter().position(|parameter| &*parameter.name == CLOCK);
         // What moves is framed as far as it may reach, so that neither the view nor the floor moves with it.
         let reach = graph.facts[graph.root.0 as usize].bounds;
-        let moving = arguments.frames.is_some() && reach.is_finite();
-        let frame = if moving { reach } else { model.extent(gpu)? };
+        let moves = arguments.frames.is_some() && clock.is_some() && reach.is_finite();
+        let frame = if moves { reach } else { model.extent(gpu)? };
+        let floor = match (arguments.no_floor, arguments.frames) {
+            (true, _) => Floor::Missing,
+            (false, Some(_)) => Floor::At(frame.min[2]),
+            (false, None) => Floor::Measured,
+        };
         let view = View::framing(&camera, &values, &frame, aspect);
         let mut picture = Picture::new(gpu, &model, view, [width, height])?;
-        picture.set_floor(match (arguments.no_floor, moving) {
-            (true, _) => Floor::Missing,
-            (false, true) => Floor::At(reach.min[2]),
-            (false, false) => Floor::Measured,
-        })?;
-        let clock = scene.parameters.iter().position(|parameter| &*parameter.name == CLOCK);
-        Ok(Self { camera, frame, aspect, values, clock, picture })
+        picture.set_floor(floor)?;
+        Ok(Self { camera, frame, aspect, floor, values, clock, picture })
     }
 
     /// Moves the clock, and the camera if the scene moves it. No pipeline is made for it.
@@ -95,8 +108,17 @@ impl Studio {
         Ok(())
     }
 
-    fn moves(&self) -> bool {
+    fn has_clock(&self) -> bool {
         self.clock.is_some()
+    }
+
+    /// Draws another scene from the same place.
+    fn replace(&mut self, gpu: &Gpu, scene: &Scene) -> Result<()> {
+        let model = Model::new(gpu, &scene.picture(), &scene.defaults())?;
+        let view = View::framing(&self.camera, &self.values, &self.frame, self.aspect);
+        self.picture = Picture::new(gpu, &model, view, self.picture.size())?;
+        self.picture.set_floor(self.floor)?;
+        Ok(())
     }
 
     fn draw(&mut self, samples: u32, progress: &ProgressBar) -> Result<()> {
