@@ -54,7 +54,7 @@ fn linear_extrude(instance: &mut Instance) -> Built {
 
 /// The vector from the bottom to the top: `v`, made as long as `height` if that is given too.
 fn read_direction(instance: &mut Instance) -> [Scalar; 3] {
-    let height = instance.number("height").or_else(|| instance.number("h"));
+    let height = read_height(instance);
     let upright = |height: Scalar| [Scalar::ZERO, Scalar::ZERO, height];
     match (instance.vector::<3>("v", 3, 0.0), height) {
         (None, height) => upright(height.unwrap_or(Scalar::from(100.0))),
@@ -66,6 +66,19 @@ fn read_direction(instance: &mut Instance) -> [Scalar; 3] {
             v.map(|c| c * height.clone() / length.clone())
         }
     }
+}
+
+/// The height; 100 if it is no finite number.
+fn read_height(instance: &mut Instance) -> Option<Scalar> {
+    let default = || Some(Scalar::from(100.0));
+    let parameter = if instance.value("height").is_some() { "height" } else { "h" };
+    instance.value(parameter)?;
+    let Some(height) = instance.number(parameter) else { return default() };
+    if !is_finite(&height) {
+        instance.warn(instance.place(parameter), "this height is not finite; the default of 100 is used");
+        return default();
+    }
+    Some(height)
 }
 
 /// How the top is scaled; what is negative counts as zero.

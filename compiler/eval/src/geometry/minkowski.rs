@@ -10,7 +10,7 @@ use chiaro_vocabulary::rows;
 use super::balls::Balls;
 use super::convexity::is_convex;
 use super::instance::{Instance, Module, error};
-use super::make::{empty, moved, prism, region, shape};
+use super::make::{empty, is_empty, moved, prism, region, shape};
 use super::offsets::grown;
 use super::outline::outline;
 use super::pieces::{Ball, Prism, Rectangle};
@@ -19,9 +19,13 @@ use super::{Built, Stop};
 pub(super) const MODULES: &[Module] = &[Module { name: "minkowski", positional: &[], named: &[], build: minkowski }];
 
 fn minkowski(instance: &mut Instance) -> Built {
+    let starts_empty = instance.children.first().is_some_and(|first| is_empty(first));
+    let count = instance.children.len();
     let operands = instance.operands();
     match operands.first().and_then(|first| first.dimension()) {
         None => Ok(empty(instance.head)),
+        // In the plane, unlike in space, nothing is the sum of nothing and something.
+        Some(Dimension::Plane) if starts_empty || (operands.len() == 1 && count > 1) => Ok(empty(instance.head)),
         Some(Dimension::Plane) => sum(operands, instance.head, plane_sum),
         Some(Dimension::Space) => sum(operands, instance.head, space_sum),
     }

@@ -2,6 +2,7 @@
 
 use chiaro_solid::{Scalar, Solid, SolidKind};
 use chiaro_syntax::{Diagnostic, Span};
+use rustc_hash::FxHashSet;
 
 use super::arguments::numbers;
 use super::instance::{Instance, Module, error};
@@ -18,6 +19,7 @@ const TOLERANCE: f64 = 1e-5;
 type Point = [f64; 3];
 
 fn polyhedron(instance: &mut Instance) -> Built {
+    instance.without_children();
     let points = read_points(instance)?;
     let faces = read_faces(instance, points.len())?;
     let used: Vec<Point> = used_points(&points, &faces);
@@ -36,6 +38,9 @@ fn polyhedron(instance: &mut Instance) -> Built {
     if is_flat {
         return Ok(empty(instance.head));
     }
+    if !is_closed(&points, &faces) {
+        return Err(open(instance.head));
+    }
     let corner = |point: &Point| (point.map(Scalar::from), Scalar::ZERO);
     Ok(Solid::new(SolidKind::SphereHull(used.iter().map(corner).collect()), instance.head))
 }
@@ -44,6 +49,31 @@ fn concave(span: Span) -> Stop {
     let diagnostic = Diagnostic::error(span, "a polyhedron that is not convex is not supported yet")
         .with_hint("unions, differences and extrusions can often replace it");
     Stop::Error(Box::new(diagnostic))
+}
+
+fn open(span: Span) -> Stop {
+    let diagnostic = Diagnostic::error(span, "the faces of this polyhedron do not enclose a solid")
+        .with_hint("each edge has to be one of two faces, with the same two corners in both");
+    Stop::Error(Box::new(diagnostic))
+}
+
+/// Whether each edge belongs to an even number of faces. Corners are told apart by where they are: many a program
+/// lists one several times.
+///
+/// Faces that all lie in the hull's boundary and have no boundary themselves are the whole of it.
+fn is_closed(points: &[Point], faces: &[Vec<usize>]) -> bool {
+    let corner = |index: usize| points[index].map(|c| (c + 0.0).to_bits());
+    let mut open = FxHashSet::default();
+    for face in faces {
+        for (from, to) in face.iter().zip(face.iter().cycle().skip(1)) {
+            let (from, to) = (corner(*from), corner(*to));
+            let edge = (from.min(to), from.max(to));
+            if from != to && !open.insert(edge) {
+                open.remove(&edge);
+            }
+        }
+    }
+    open.is_empty()
 }
 
 fn read_points(instance: &mut Instance) -> Result<Vec<Point>, Stop> {

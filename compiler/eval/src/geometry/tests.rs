@@ -85,6 +85,12 @@ fn transforms() {
         solid("multmatrix([[2, 0, 0, 4], [0, 2, 0, 0], [0, 0, 2, 0], [0, 0, 0, 2]]) sphere();"),
         "move 2 0 0\n  sphere 1\n"
     );
+    let (turned, warnings) = evaluate("rotate([0, 0, 90, 45]) sphere();", Facets::Auto);
+    assert_eq!(turned, "matrix [0 -1 0 0; 1 0 0 0; 0 0 1 0]\n  sphere 1\n");
+    assert_eq!(warnings, ["there are angles about x, y and z: what follows the third does not count"]);
+    let (gone, warnings) = evaluate("rotate([0, 0, inf]) sphere();", Facets::Auto);
+    assert_eq!(gone, "empty\n");
+    assert_eq!(warnings, ["this matrix is not finite, so that there is nothing"]);
     assert_eq!(
         warning("scale([1, 0, 1]) sphere();"),
         "this matrix flattens what it is applied to, so that there is nothing"
@@ -146,6 +152,9 @@ fn extrusions() {
     let twisted = "move 0 0 -5\n  extrude 10 twist -90° scale 0.5 2\n    circle 1\n";
     assert_eq!(solid("linear_extrude(10, center = true, twist = 90, scale = [0.5, 2]) circle();"), twisted);
     assert_eq!(solid("linear_extrude(v = [0, 0, 3]) circle();"), "extrude 3\n  circle 1\n");
+    let (default, warnings) = evaluate("linear_extrude(height = inf) circle();", Facets::Auto);
+    assert_eq!(default, "extrude 100\n  circle 1\n");
+    assert_eq!(warnings, ["this height is not finite; the default of 100 is used"]);
     let leaning = "matrix [1 0 0.75 0; 0 1 0 0; 0 0 1 0]\n  extrude 8\n    circle 1\n";
     assert_eq!(solid("linear_extrude(height = 10, v = [3, 0, 4]) circle();"), leaning);
     assert_eq!(solid("projection(cut = true) sphere();"), "slice\n  sphere 1\n");
@@ -196,6 +205,8 @@ fn minkowski_sums() {
     assert_eq!(solid("minkowski() { cube(2); cube([2, 4, 4]); }"), boxes);
     assert!(solid("minkowski() { difference() { cube(2); cube(1); } sphere(1); }").starts_with("error: "));
     assert_eq!(solid("minkowski() { group(); cube(2, true); }"), "box 1 1 1\n");
+    assert_eq!(solid("minkowski() { circle(); circle(0); }"), "empty\n");
+    assert_eq!(solid("minkowski() circle();"), "circle 1\n");
     let plane = solid("minkowski() { square(2, true); rotate(45) square(2, true); }");
     assert_eq!(plane, "region 1 contour, 8 lines, 0 arcs, (-2.41421 -2.41421) to (2.41421 2.41421)\n");
 }
@@ -219,6 +230,11 @@ fn convex_solids_with_corners() {
     let points = "[[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2]]";
     let faces = "[[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]";
     assert_eq!(solid(&format!("polyhedron({points}, {faces});")), pyramid);
+    let repeated = "[[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2], [0, 0, 2]]";
+    let corners = solid(&format!("polyhedron({repeated}, [[0, 1, 2], [0, 3, 1], [0, 2, 4], [1, 3, 2]]);"));
+    assert!(corners.starts_with("sphere_hull"), "{corners}");
+    let error = "error: the faces of this polyhedron do not enclose a solid\n";
+    assert_eq!(solid(&format!("polyhedron({points}, [[0, 1, 2], [0, 3, 1], [0, 2, 3]]);")), error);
     let notched = "[[0, 0, 0], [9, 0, 0], [0, 9, 0], [0, 0, 9], [1, 1, 1]]";
     let faces = "[[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 4], [3, 2, 4], [2, 1, 4]]";
     let error = "error: a polyhedron that is not convex is not supported yet\n";

@@ -55,18 +55,12 @@ fn read_rotation(instance: &mut Instance) -> Result<Affine, Stop> {
                 }
             }
         }
-        Some((Value::List(_), span)) => {
+        Some((value @ Value::List(_), span)) => {
             if instance.value("v").is_some() {
                 let span = instance.place("v");
                 instance.warn(span, "the axis is ignored, because there is an angle for each of x, y and z");
             }
-            // OpenSCAD also takes fewer than three angles.
-            let angles = instance.vector::<3>("a", 0, 0.0);
-            let angles = angles.unwrap_or([Scalar::ZERO, Scalar::ZERO, Scalar::ZERO]);
-            if !angles.iter().all(is_finite) {
-                instance.warn(span, "these angles are not finite, so that nothing is turned");
-                return Ok(Affine::identity());
-            }
+            let angles = read_angles(instance, &value, span);
             let [x, y, z] = angles;
             Ok(Affine::rotation(2, z).after(&Affine::rotation(1, y)).after(&Affine::rotation(0, x)))
         }
@@ -75,6 +69,19 @@ fn read_rotation(instance: &mut Instance) -> Result<Affine, Stop> {
             Ok(Affine::identity())
         }
     }
+}
+
+/// The angles about x, y and z. As in OpenSCAD, missing ones are zero and what follows the third does not count; one
+/// that is not finite makes the matrix so, and that leaves nothing.
+fn read_angles(instance: &mut Instance, value: &Value, span: Span) -> [Scalar; 3] {
+    let Some(angles) = numbers(value) else {
+        instance.unfit::<()>("a", value, span, "an angle or a list of three angles");
+        return [Scalar::ZERO, Scalar::ZERO, Scalar::ZERO];
+    };
+    if angles.len() > 3 {
+        instance.warn(span, "there are angles about x, y and z: what follows the third does not count");
+    }
+    std::array::from_fn(|axis| angles.get(axis).cloned().unwrap_or(Scalar::ZERO))
 }
 
 fn scale(instance: &mut Instance) -> Built {
