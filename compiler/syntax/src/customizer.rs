@@ -85,7 +85,9 @@ impl<'a> Walk<'a> {
     /// What the comments around an assignment say, which has just been walked over.
     fn customizer(&self, assignment: &Assignment) -> Customizer {
         let span = assignment.span.range();
-        let description = self.comment.and_then(|comment| {
+        // A comment may also stand between the assignment's own lines.
+        let before = self.comment.filter(|comment| comment.range().end <= span.start);
+        let description = before.and_then(|comment| {
             let is_above = is_line_break(&self.text[comment.range().end..span.start]);
             let text = self.text[comment.range()].trim_start_matches('/').trim();
             (is_above && !text.is_empty()).then(|| text.to_owned())
@@ -185,5 +187,11 @@ mod tests {
         let text = "a = 1 + 1; /* [Hidden] */ b = 2; /* [Shown] */ c = 3; module m() { d = 4; } e = 5;";
         let names: Vec<_> = parameters(text).into_iter().map(|parameter| parameter.0).collect();
         assert_eq!(names, ["c"]);
+    }
+
+    #[test]
+    fn a_comment_inside_an_assignment_describes_nothing() {
+        let parameters = parameters("size = [\n// width and height\n3, 4];\n");
+        assert_eq!(parameters, [("size".to_owned(), Domain::Any, None, None)]);
     }
 }
