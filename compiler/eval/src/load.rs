@@ -87,6 +87,11 @@ impl Loader<'_> {
 
     /// The file that `path` names, read if it was not yet.
     fn file(&mut self, from: FileId, path: &Spanned<Name>) -> Option<FileIndex> {
+        if is_font(&path.node) {
+            let message = "fonts are not read, because `text` is not supported yet";
+            self.diagnostics.push(Diagnostic::warning(path.span, message));
+            return None;
+        }
         let Some(name) = self.world.find(&self.sources.get(from).name, &path.node) else {
             let message = format!("can't find `{}`", path.node);
             let error = Diagnostic::error(path.span, message)
@@ -116,6 +121,12 @@ impl Loader<'_> {
             }
         }
     }
+}
+
+/// Whether a path is that of a font, which OpenSCAD lets a scene `use` like a library.
+fn is_font(path: &str) -> bool {
+    let extension = path.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase());
+    extension.is_some_and(|extension| matches!(&*extension, "ttf" | "otf"))
 }
 
 /// The paths of all `include` and `use` statements, wherever they stand.

@@ -45,6 +45,9 @@ fn missing_and_circular_includes_are_found() {
     let circular = run("include <a.scad>\necho(x);");
     assert_eq!(circular.echoes, ["1"]);
     assert!(matches!(&circular.errors[..], [error] if error.ends_with("`a.scad` includes itself")), "{circular:?}");
+    let font = run("use <fonts/Gothic.TTF>\necho(1);");
+    assert_eq!((&*font.echoes, font.errors.len()), (&["1".to_owned()][..], 0));
+    assert_eq!(font.warnings, ["fonts are not read, because `text` is not supported yet"]);
     let missing = run("include <c.scad>\ncube(what);");
     assert!(matches!(&missing.errors[..], [error] if error.contains("can't find `c.scad`")), "{missing:?}");
 }
