@@ -90,6 +90,10 @@ impl Builder {
         &self.facts[id.0 as usize]
     }
 
+    pub(crate) fn span(&self, id: NodeId) -> Span {
+        self.spans[id.0 as usize]
+    }
+
     pub(crate) fn extent(&self, id: NodeId) -> &Extent {
         &self.extents[id.0 as usize]
     }

@@ -7,6 +7,7 @@
 mod boolean;
 mod context;
 mod extrude;
+mod normalise;
 mod plane;
 mod shape;
 mod sphere_hull;
@@ -38,6 +39,7 @@ pub fn lower(root: &Arc<Solid>) -> (Graph, Vec<Diagnostic>) {
     let lowered = lowering.lower(root, &context);
     let Lowering { mut builder, diagnostics, .. } = lowering;
     let root = lowered.unwrap_or_else(|| builder.node(Node::Nothing, root.span, Class::Exact, 1.0));
+    let root = normalise::normalised(&mut builder, root);
     (builder.finish(root), diagnostics)
 }
 

@@ -1,0 +1,61 @@
+//! Normalising: values near the root divided by their Lipschitz constants.
+//!
+//! Marching divides by the root's constant, so one steep part would make every step short. Nothing between the root
+//! and the first joint or adjustment below it consumes a value as a length, so each steep part there is scaled by
+//! itself, and only rays that come near it march slowly.
+
+use chiaro_solid::Scalar;
+use chiaro_vocabulary::rows;
+
+use crate::build::Builder;
+use crate::graph::{Node, NodeId};
+
+/// The node with all that is steeper than 1 scaled down below its hard Booleans, complements and paints.
+pub(super) fn normalised(builder: &mut Builder, root: NodeId) -> NodeId {
+    let is_steep = |builder: &Builder, id: NodeId| builder.facts(id).lipschitz > 1.0;
+    if !is_steep(builder, root) {
+        return root;
+    }
+    // Nodes stand behind their children, so two sweeps do what recursion, as deep as the scene, would.
+    let count = root.0 as usize + 1;
+    let mut reached = vec![false; count];
+    reached[count - 1] = true;
+    for index in (0..count).rev() {
+        let id = NodeId(index as u32);
+        if reached[index] && is_steep(builder, id) && is_transparent(builder.get(id)) {
+            builder.get(id).children().iter().for_each(|child| reached[child.0 as usize] = true);
+        }
+    }
+    let mut normal: Vec<NodeId> = (0..count as u32).map(NodeId).collect();
+    for index in (0..count).filter(|index| reached[*index]) {
+        let id = NodeId(index as u32);
+        if is_steep(builder, id) {
+            normal[index] = flattened(builder, id, &normal);
+        }
+    }
+    normal[count - 1]
+}
+
+/// Whether the node's value is one of its children's, or the opposite.
+fn is_transparent(node: &Node) -> bool {
+    matches!(node, Node::Boolean(_, None, _) | Node::Negate(_) | Node::Paint(..))
+}
+
+/// The steep node with a slope of at most 1, where the nodes before it have been replaced by these.
+fn flattened(builder: &mut Builder, id: NodeId, normal: &[NodeId]) -> NodeId {
+    let (facts, span) = (*builder.facts(id), builder.span(id));
+    let replaced = |child: &NodeId| normal[child.0 as usize];
+    let node = match builder.get(id) {
+        Node::Boolean(operation, None, children) => {
+            Node::Boolean(*operation, None, children.iter().map(replaced).collect())
+        }
+        Node::Negate(child) => Node::Negate(replaced(child)),
+        Node::Paint(material, child) => Node::Paint(*material, replaced(child)),
+        Node::Adjust(row, arguments, child) if **row == rows::SCALE && arguments.len() == 1 => {
+            let factor = arguments[0].clone() / Scalar::from(facts.lipschitz);
+            Node::Adjust(&rows::SCALE, vec![factor], *child)
+        }
+        _ => Node::Adjust(&rows::SCALE, vec![Scalar::from(1.0 / facts.lipschitz)], id),
+    };
+    builder.node(node, span, facts.class, 1.0)
+}
