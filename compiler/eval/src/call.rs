@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use chiaro_solid::Scalar;
 use chiaro_syntax::tree::{self, Expression, ExpressionKind, FunctionLiteral, Name, Parameter};
-use chiaro_syntax::{Diagnostic, Span};
+use chiaro_syntax::{Diagnostic, Span, Spanned};
 
 use crate::evaluator::{Evaluator, Halt, Result, Unit};
 use crate::functions::{self, BuiltIn, Invocation};
@@ -156,9 +156,8 @@ impl<'t> Evaluator<'t> {
     pub(crate) fn arguments(&mut self, arguments: &[tree::Argument], scope: &Rc<Scope>) -> Result<Vec<Argument>> {
         let mut values = Vec::with_capacity(arguments.len());
         for argument in arguments {
-            let name = argument.name.as_ref().map(|name| name.node.clone());
             let value = self.expression(&argument.value, scope)?;
-            values.push(Argument { name, value, span: argument.value.span });
+            values.push(Argument { name: argument.name.clone(), value, span: argument.value.span });
         }
         Ok(values)
     }
@@ -221,16 +220,16 @@ impl<'t> Evaluator<'t> {
         let mut unnamed = parameters.iter().map(|parameter| &parameter.name.node);
         let mut is_full = false;
         for Argument { name, value, span } in arguments {
-            if let Some(name) = name {
+            if let Some(Spanned { node: name, span: place }) = name {
                 if let Some(given) = values.iter_mut().find(|(given, _)| *given == name) {
-                    self.warn(Diagnostic::warning(span, format!("`{name}` is given a value twice; this one counts")));
+                    self.warn(Diagnostic::warning(place, format!("`{name}` is given a value twice; this one counts")));
                     given.1 = Some(value);
                     continue;
                 }
                 let is_parameter = parameters.iter().any(|parameter| parameter.name.node == name);
                 if !is_parameter && !Specials::is_special(&name) {
                     let known = parameters.iter().map(|parameter| &*parameter.name.node);
-                    let mut warning = Diagnostic::warning(span, format!("`{callee}` has no parameter `{name}`"));
+                    let mut warning = Diagnostic::warning(place, format!("`{callee}` has no parameter `{name}`"));
                     warning.hints.extend(suggest::hint(&name, known));
                     self.warn(warning);
                 }
@@ -288,7 +287,7 @@ impl<'t> Evaluator<'t> {
                 line.push_str(", ");
             }
             if let Some(name) = &argument.name {
-                line.push_str(&format!("{name} = "));
+                line.push_str(&format!("{} = ", name.node));
             }
             match text::quoted(&argument.value, limit) {
                 Ok(written) => line.push_str(&written),

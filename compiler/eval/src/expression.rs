@@ -210,9 +210,14 @@ impl<'t> Evaluator<'t> {
             plan.assignments.iter().map(|a| (a.first.name.node.clone(), a.first.span)).collect::<Vec<_>>()
         });
         if let Some((_, place)) = later.into_iter().find(|(later, _)| **later == *name) {
-            error = error
-                .with_related(place, "it is assigned only here")
-                .with_hint("assignments run in the order of the text: move this one up");
+            let refers_to_itself = place.file == span.file && place.start <= span.start && span.end <= place.end;
+            error = if refers_to_itself {
+                error.with_hint("a variable has one value, which cannot come from itself")
+            } else {
+                error
+                    .with_related(place, "it is assigned only here")
+                    .with_hint("assignments run in the order of the text: move this one up")
+            };
         } else {
             let known: Vec<Name> = scope.chain().flat_map(Scope::names).collect();
             error.hints.extend(suggest::hint(name, known.iter().map(|name| &**name).chain(["PI"])));
@@ -309,8 +314,9 @@ impl<'t> Evaluator<'t> {
             }
             Value::String(text) => {
                 self.charge(text.len() as u64 / 64, index.span)?;
-                let character = if text.is_ascii() { text.get(at..at + 1).map(Value::string) } else { None };
-                character.or_else(|| text.chars().nth(at).map(|c| Value::string(c.to_string()))).unwrap_or(Value::Undef)
+                let ascii = || text.as_bytes().get(at).map(|byte| char::from(*byte));
+                let character = if text.is_ascii() { ascii() } else { text.chars().nth(at) };
+                character.map_or(Value::Undef, |character| Value::string(character.to_string()))
             }
             _ => Value::Undef,
         })

@@ -86,7 +86,11 @@ impl Invocation {
 
     /// Says that an argument is not what the function takes.
     fn refuse(&self, evaluator: &mut Evaluator, at: usize, wanted: &str) {
-        let found = self.value(at).map_or("nothing", Value::described);
+        let found = match self.value(at) {
+            Some(Value::List(_)) => "this list",
+            Some(value) => value.described(),
+            None => "nothing",
+        };
         let message = format!("`{}` takes {wanted} here, not {found}", self.name);
         evaluator.warn(Diagnostic::warning(self.span(at), message).with_related(self.span, "the call is undef"));
     }

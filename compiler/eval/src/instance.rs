@@ -178,7 +178,7 @@ impl<'t> Evaluator<'t> {
     fn assign(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Built> {
         let inner = Scope::within(scope);
         for argument in self.arguments(&instance.arguments, scope)? {
-            match argument.name {
+            match argument.name.map(|name| name.node) {
                 Some(name) if Specials::is_special(&name) => self.specials.set(name, Some(argument.value)),
                 Some(name) => inner.set(name, Some(argument.value)),
                 None => self.warn(Diagnostic::warning(argument.span, "this value gets no name")),
@@ -308,11 +308,11 @@ impl<'t> Evaluator<'t> {
     fn geometry(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Built> {
         let mut arguments = self.arguments(&instance.arguments, scope)?;
         for argument in &arguments {
-            if let Some(name) = argument.name.as_ref().filter(|name| Specials::is_special(name)) {
-                self.specials.set(name.clone(), Some(argument.value.clone()));
+            if let Some(name) = argument.name.as_ref().filter(|name| Specials::is_special(&name.node)) {
+                self.specials.set(name.node.clone(), Some(argument.value.clone()));
             }
         }
-        arguments.retain(|argument| argument.name.as_ref().is_none_or(|name| !Specials::is_special(name)));
+        arguments.retain(|argument| argument.name.as_ref().is_none_or(|name| !Specials::is_special(&name.node)));
         let children = self.block(&instance.children, scope, None)?;
         self.built_in_module(instance, &instance.name.node, arguments, children, scope)
     }

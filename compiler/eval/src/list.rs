@@ -133,7 +133,10 @@ impl<'t> Evaluator<'t> {
         if range.len() <= limit {
             return self.charge(u64::from(range.len()), span);
         }
-        let message = format!("this range has more than {limit} numbers");
+        let message = match range.step {
+            0.0 => "the step of this range is zero, so that it never ends".to_owned(),
+            _ => format!("this range has more than {limit} numbers"),
+        };
         Err(self.error(Diagnostic::error(span, message)))
     }
 

@@ -134,7 +134,8 @@ fn cross(evaluator: &mut Evaluator, call: &Invocation) -> Result<Value> {
             Ok(Value::list(components.map(Value::Number).to_vec()))
         }
         _ => {
-            call.refuse(evaluator, 0, "two vectors of two or three finite numbers each");
+            let message = "`cross` takes two vectors of two or three finite numbers each";
+            evaluator.warn(Diagnostic::warning(call.span, message).with_label("this is undef"));
             Ok(Value::Undef)
         }
     }

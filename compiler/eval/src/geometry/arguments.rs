@@ -35,7 +35,7 @@ pub(super) fn bind(
     let mut unfilled = positional.iter().copied();
     for Argument { name, value, span } in arguments {
         let parameter = match name {
-            Some(name) => parameter_named(module, &name, span, positional, named, diagnostics),
+            Some(name) => parameter_named(module, &name.node, name.span, positional, named, diagnostics),
             None => {
                 let next = unfilled.find(|parameter| !bound.iter().any(|other| other.parameter == *parameter));
                 if next.is_none() {
@@ -158,6 +158,12 @@ impl Instance<'_> {
         half.or_else(|| self.number(radius))
     }
 
+    /// The place of the radius `r` or the diameter `d`.
+    pub(super) fn place_of_radius(&self) -> Span {
+        let given = self.value("d").or_else(|| self.value("r"));
+        given.map_or(self.head, |(_, span)| span)
+    }
+
     /// Reports a value of the wrong type.
     pub(super) fn unfit<T>(&mut self, parameter: &str, value: &Value, span: Span, expected: &str) -> Option<T> {
         let message = format!(
@@ -198,7 +204,10 @@ fn describe(value: &Value) -> String {
         Value::String(_) => "a string".into(),
         Value::List(items) => match numbers(value) {
             Some(numbers) => format!("a list of {} numbers", numbers.len()),
-            None => format!("a list of {} values", items.len()),
+            None => match items.iter().find(|item| !matches!(item, Value::Number(_))) {
+                Some(Value::List(_)) | None => format!("a list of {} values", items.len()),
+                Some(odd) => format!("a list with {} in it", describe(odd)),
+            },
         },
         Value::Range(_) => "a range".into(),
         Value::Function(_) => "a function".into(),

@@ -82,6 +82,15 @@ impl<'a> Instance<'a> {
         self.union()
     }
 
+    /// Says that what stands behind a shape is left out: most often, a semicolon is missing.
+    pub(super) fn without_children(&mut self) {
+        if let Some(child) = self.children.iter().find(|child| !is_empty(child)) {
+            let message = format!("`{}` takes no children: this is left out", self.name);
+            let warning = Diagnostic::warning(child.span, message).with_related(self.head, "left out here");
+            self.report(warning.with_hint(format!("to have both, end `{}(…)` with `;`", self.name)));
+        }
+    }
+
     /// The children that are not empty, of the first one's dimension.
     pub(super) fn operands(&mut self) -> Vec<Arc<Solid>> {
         self.children.retain(|child| !is_empty(child));

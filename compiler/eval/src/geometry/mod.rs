@@ -36,7 +36,7 @@ mod witnesses;
 use std::sync::Arc;
 
 use chiaro_solid::{Scalar, Solid};
-use chiaro_syntax::{Diagnostic, Span};
+use chiaro_syntax::{Diagnostic, Span, Spanned};
 
 use crate::settings::Settings;
 use crate::value::Value;
@@ -52,7 +52,7 @@ pub(crate) struct Call<'a> {
     pub(crate) name: &'a str,
     /// Name and arguments in the text.
     pub(crate) head: Span,
-    /// The arguments in order, each with its parameter's name if it was given, and its place.
+    /// The arguments in order, each with its parameter's name if it was given, and their places.
     pub(crate) arguments: Vec<Argument>,
     /// `$fn` as it is for this instance: the number of sides of curves. (`$fa` and `$fs` never make facets.)
     pub(crate) sides: Value,
@@ -62,8 +62,8 @@ pub(crate) struct Call<'a> {
 
 /// An argument of a [`Call`].
 pub(crate) struct Argument {
-    /// The parameter's name, if it was given.
-    pub(crate) name: Option<Arc<str>>,
+    /// The parameter's name, if it was given, and its place.
+    pub(crate) name: Option<Spanned<Arc<str>>>,
     /// Its value.
     pub(crate) value: Value,
     /// Its value's place in the text.

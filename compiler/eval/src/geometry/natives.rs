@@ -6,7 +6,7 @@ use chiaro_vocabulary::{Kind, Parameter, Row, Type, Unit, rows};
 
 use super::decide::{self, Sign};
 use super::instance::{Instance, error};
-use super::make::{empty, is_empty, radians, shape};
+use super::make::{empty, radians, shape};
 use super::{Built, Call, Facets, Stop};
 
 /// Which parameters of which shapes have to be less than which others.
@@ -34,10 +34,7 @@ fn modules() -> impl Iterator<Item = &'static Row> {
 }
 
 fn instantiate(row: &'static Row, instance: &mut Instance) -> Built {
-    if let Some(child) = instance.children.iter().find(|child| !is_empty(child)) {
-        let span = child.span;
-        instance.warn(span, format!("`{}` takes no children: this is left out", row.name));
-    }
+    instance.without_children();
     let mut arguments = Vec::with_capacity(row.arity());
     for parameter in row.parameters {
         let numbers = read(instance, parameter)?;

@@ -16,11 +16,12 @@ use crate::value::Value;
 
 pub(super) const MODULES: &[Module] = &[
     Module { name: "square", positional: &["size", "center"], named: &["r"], build: square },
-    Module { name: "circle", positional: &["r", "d"], named: &[], build: circle },
+    Module { name: "circle", positional: &["r"], named: &["d"], build: circle },
     Module { name: "polygon", positional: &["points", "paths"], named: &["r"], build: polygon },
 ];
 
 fn square(instance: &mut Instance) -> Built {
+    instance.without_children();
     let size = instance.number_or_vector::<2>("size", 2, 0.0).unwrap_or([Scalar::ONE, Scalar::ONE]);
     if !instance.are_sizes(&size, instance.place("size"))? {
         return Ok(empty(instance.head));
@@ -36,8 +37,9 @@ fn square(instance: &mut Instance) -> Built {
 }
 
 fn circle(instance: &mut Instance) -> Built {
+    instance.without_children();
     let radius = instance.radius("r", "d").unwrap_or(Scalar::ONE);
-    if !instance.are_sizes(std::slice::from_ref(&radius), instance.head)? {
+    if !instance.are_sizes(std::slice::from_ref(&radius), instance.place_of_radius())? {
         return Ok(empty(instance.head));
     }
     Ok(disc(radius, instance.sides()?, instance.head))
@@ -52,6 +54,7 @@ fn disc(radius: Scalar, sides: Option<u32>, span: Span) -> Arc<Solid> {
 }
 
 fn polygon(instance: &mut Instance) -> Built {
+    instance.without_children();
     let points = read_points(instance)?;
     let paths = read_paths(instance, points.len())?;
     let outline = Region::polygon(&points, paths.as_deref());

@@ -2,7 +2,7 @@
 
 use chiaro_solid::{Scalar, Solid, SolidKind};
 use chiaro_syntax::{Diagnostic, Span};
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::arguments::numbers;
 use super::instance::{Instance, Module, error};
@@ -38,7 +38,7 @@ fn polyhedron(instance: &mut Instance) -> Built {
     if is_flat {
         return Ok(empty(instance.head));
     }
-    if !is_closed(&points, &faces) {
+    if !is_closed(&points, &faces, tolerance) {
         return Err(open(instance.head));
     }
     let corner = |point: &Point| (point.map(Scalar::from), Scalar::ZERO);
@@ -57,16 +57,15 @@ fn open(span: Span) -> Stop {
     Stop::Error(Box::new(diagnostic))
 }
 
-/// Whether each edge belongs to an even number of faces. Corners are told apart by where they are: many a program
-/// lists one several times.
+/// Whether each edge belongs to an even number of faces.
 ///
 /// Faces that all lie in the hull's boundary and have no boundary themselves are the whole of it.
-fn is_closed(points: &[Point], faces: &[Vec<usize>]) -> bool {
-    let corner = |index: usize| points[index].map(|c| (c + 0.0).to_bits());
+fn is_closed(points: &[Point], faces: &[Vec<usize>], tolerance: f64) -> bool {
+    let corners = corners(points, tolerance);
     let mut open = FxHashSet::default();
     for face in faces {
         for (from, to) in face.iter().zip(face.iter().cycle().skip(1)) {
-            let (from, to) = (corner(*from), corner(*to));
+            let (from, to) = (corners[*from], corners[*to]);
             let edge = (from.min(to), from.max(to));
             if from != to && !open.insert(edge) {
                 open.remove(&edge);
@@ -74,6 +73,25 @@ fn is_closed(points: &[Point], faces: &[Vec<usize>]) -> bool {
         }
     }
     open.is_empty()
+}
+
+/// For each point, the first one that is within the tolerance of it: many a program lists a corner once for each face.
+fn corners(points: &[Point], tolerance: f64) -> Vec<usize> {
+    let cell = |point: &Point| point.map(|c| (c / tolerance).floor() as i64);
+    let is_near = |a: usize, b: usize| (0..3).all(|axis| (points[a][axis] - points[b][axis]).abs() <= tolerance);
+    let mut cells: FxHashMap<[i64; 3], usize> = FxHashMap::default();
+    let mut corners = Vec::with_capacity(points.len());
+    for (index, point) in points.iter().enumerate() {
+        let center = cell(point);
+        let around =
+            (0..27).map(|i| [0, 1, 2].map(|axis| center[axis].saturating_add(i / 3i64.pow(axis as u32) % 3 - 1)));
+        let known = around.filter_map(|cell| cells.get(&cell)).find(|corner| is_near(**corner, index)).copied();
+        if known.is_none() {
+            cells.insert(center, index);
+        }
+        corners.push(known.unwrap_or(index));
+    }
+    corners
 }
 
 fn read_points(instance: &mut Instance) -> Result<Vec<Point>, Stop> {

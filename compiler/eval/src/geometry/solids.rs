@@ -14,7 +14,7 @@ use super::{Built, Stop};
 
 pub(super) const MODULES: &[Module] = &[
     Module { name: "cube", positional: &["size", "center"], named: &["r"], build: cube },
-    Module { name: "sphere", positional: &["r", "d"], named: &[], build: sphere },
+    Module { name: "sphere", positional: &["r"], named: &["d"], build: sphere },
     Module {
         name: "cylinder",
         positional: &["h", "r1", "r2", "center"],
@@ -24,6 +24,7 @@ pub(super) const MODULES: &[Module] = &[
 ];
 
 fn cube(instance: &mut Instance) -> Built {
+    instance.without_children();
     let size = instance.number_or_vector::<3>("size", 3, 0.0).unwrap_or([Scalar::ONE, Scalar::ONE, Scalar::ONE]);
     if !instance.are_sizes(&size, instance.place("size"))? {
         return Ok(empty(instance.head));
@@ -39,8 +40,9 @@ fn cube(instance: &mut Instance) -> Built {
 }
 
 fn sphere(instance: &mut Instance) -> Built {
+    instance.without_children();
     let radius = instance.radius("r", "d").unwrap_or(Scalar::ONE);
-    if !instance.are_sizes(std::slice::from_ref(&radius), instance.head)? {
+    if !instance.are_sizes(std::slice::from_ref(&radius), instance.place_of_radius())? {
         return Ok(empty(instance.head));
     }
     let Some(sides) = instance.sides()? else { return Ok(shape(&rows::SPHERE, [radius], instance.head)) };
@@ -72,6 +74,7 @@ struct Frustum {
 }
 
 fn cylinder(instance: &mut Instance) -> Built {
+    instance.without_children();
     let Some(frustum) = read_frustum(instance)? else { return Ok(empty(instance.head)) };
     let height = frustum.height.clone();
     let sides = instance.sides()?;

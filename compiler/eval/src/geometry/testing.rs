@@ -56,12 +56,12 @@ fn children(
 fn instantiate(instance: &Instance, settings: &Settings, warnings: &mut Vec<Diagnostic>) -> Result<Arc<Solid>, Stop> {
     let children = children(&instance.children, settings, warnings)?;
     let argument = |argument: &chiaro_syntax::tree::Argument| Argument {
-        name: argument.name.as_ref().map(|name| name.node.clone()),
+        name: argument.name.clone(),
         value: value(&argument.value),
         span: argument.value.span,
     };
     let arguments: Vec<Argument> = instance.arguments.iter().map(argument).collect();
-    let number = arguments.iter().find(|argument| argument.name.as_deref() == Some("$fn"));
+    let number = arguments.iter().find(|argument| argument.name.as_ref().is_some_and(|name| &*name.node == "$fn"));
     let sides = number.map_or(Value::Undef, |argument| argument.value.clone());
     let call = Call { name: &instance.name.node, head: instance.head, arguments, sides, children };
     build(call, settings, warnings).unwrap_or_else(|| panic!("there is no module `{}`", instance.name.node))

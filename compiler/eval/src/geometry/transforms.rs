@@ -141,11 +141,11 @@ pub(super) fn apply(instance: &mut Instance, map: Affine, child: Arc<Solid>) -> 
     }
     let map = if child.dimension() == Some(Dimension::Plane) { planar(&map) } else { map };
     if !map.rows().iter().flatten().all(is_finite) {
-        instance.warn(instance.head, "this matrix is not finite, so that there is nothing");
+        instance.warn(instance.head, format!("`{}` is not finite here, so that there is nothing", instance.name));
         return Ok(empty(instance.head));
     }
     if !is_regular(&map, instance.head)? {
-        instance.warn(instance.head, "this matrix flattens what it is applied to, so that there is nothing");
+        instance.warn(instance.head, format!("`{}` flattens this to nothing", instance.name));
         return Ok(empty(instance.head));
     }
     Ok(transformed(map, child, instance.head))

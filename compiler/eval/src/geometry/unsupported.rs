@@ -23,7 +23,7 @@ const fn unsupported(name: &'static str, positional: &'static [&'static str]) ->
 }
 
 const fn replaced(name: &'static str) -> Module {
-    Module { name, positional: &[], named: &[], build: refuse }
+    Module { name, positional: &["file", "layer", "convexity", "origin"], named: &[], build: refuse }
 }
 
 fn refuse(instance: &mut Instance) -> Built {

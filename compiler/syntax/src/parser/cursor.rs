@@ -125,6 +125,7 @@ impl<'a> Parser<'a> {
             }
             Some('−' | '–' | '—') => Some("write the sign `-`"),
             Some('×' | '·') => Some("write `*` to multiply"),
+            Some('\u{ff01}'..='\u{ff5e}') => Some("write the plain sign instead of the full-width one"),
             Some('≤') => Some("write `<=`"),
             Some('≥') => Some("write `>=`"),
             Some('≠') => Some("write `!=`"),

@@ -100,6 +100,10 @@ impl Parser<'_> {
             let is_bracket = closer == TokenKind::CloseBracket;
             self.bracket_error(opener, if is_bracket { "`,` or `]`" } else { "`,` or `)`" });
             self.skip_in_brackets(&[TokenKind::Comma, closer]);
+            if self.ends_brackets() {
+                // That the bracket is not closed has been said by that.
+                self.last_error = Some(self.token.start);
+            }
         }
         self.eat(TokenKind::Comma)
     }

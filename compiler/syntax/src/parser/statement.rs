@@ -218,6 +218,12 @@ impl Parser<'_> {
             ("use", _) => Some("write `use <file>`"),
             ("include", _) => Some("write `include <file>`"),
             ("for", _) => Some("write `for (i = [0:9]) …`"),
+            ("var" | "let" | "const" | "auto" | "int" | "float" | "double" | "local", TokenKind::Name) => {
+                Some("a variable needs no keyword: `size = 10;`")
+            }
+            ("return", _) => Some("a function is one expression: `function name(x) = value;`"),
+            ("def" | "fn" | "func", TokenKind::Name) => Some("a function is written `function name(x) = value;`"),
+            (_, TokenKind::Equal) => Some("`=` gives a variable its value"),
             (_, TokenKind::Dot | TokenKind::OpenBracket) => Some("the parts of a variable can't be changed"),
             (_, TokenKind::Plus | TokenKind::Minus | TokenKind::Star | TokenKind::Slash) => {
                 Some("a variable has one value, which can't be changed step by step")
