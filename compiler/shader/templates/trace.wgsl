@@ -17,7 +17,7 @@
 /// The β of the running mean of slopes.
 const RELAXATION: f32 = 0.3;
 /// Of one segment; few grazing rays come near it. All segments together stay far below lavapipe's limit of 65535.
-const MAX_STEPS: u32 = 250u;
+const MAX_STEPS: u32 = 400u;
 /// Of one path; more than four only behind translucent surfaces.
 const MAX_SEGMENTS: u32 = 16u;
 /// How many surfaces a path meets.
@@ -82,12 +82,12 @@ fn meet(segment: Segment) -> Met {
         // Ask the scene: ahead on the ray, or at a corner about the hit.
         let ahead = min(t + z, end);
         let at_corner = o + met.t * w + met.h * corner(probes - 1u);
-        let R = scene_distance(select(o + ahead * w, at_corner, probes > 0u)) / view.eye.w;
+        let d = scene_distance(select(o + ahead * w, at_corner, probes > 0u));
         met.evaluations += 1u;
 
         // The differences to the corners sum up to the normal.
         if probes > 0u {
-            met.n += R * corner(probes - 1u);
+            met.n += d * corner(probes - 1u);
             probes -= 1u;
             if probes == 0u {
                 break;
@@ -95,22 +95,23 @@ fn meet(segment: Segment) -> Met {
             continue;
         }
 
-        // Where the spheres come apart, go back and step to the former one's end only.
-        let free = segment.side * R;
+        // Where the spheres come apart, or the step went into a solid, go back and step to the former one's end only.
+        let free = segment.side * d / view.eye.w;
         let step = ahead - t;
         let near = segment.hit.x + segment.hit.y * ahead;
-        if step > r + abs(free) && step > near {
+        if step > r + free && step > near {
             m = -1.0;
             z = max(r, near);
             continue;
         }
 
-        // A hit: nearer than the pixel is wide, and getting nearer (or a ray would hit what it leaves).
-        let closing = free < r;
+        // A hit: nearer than the pixel is wide, and getting nearer (or a ray would hit what it leaves). Here d counts
+        // and not d/L, which is small far from surfaces too if some part of the scene has a large L.
+        let hits = segment.side * d < near && free < r;
         m = select(-1.0, mix(m, (free - r) / step, RELAXATION), step > 0.0 && r < FAR);
         t = ahead;
         r = free;
-        if free < near && closing {
+        if hits {
             met.t = t + max(free, 0.0);
             met.h = max(2.0 * near, 16.0 * view.box_min.w);
             if segment.to_key {

@@ -50,10 +50,12 @@ fn sky(direction: vec3<f32>, blur: f32) -> vec3<f32> {
     let overhead = soft_box(w, normalize(vec3<f32>(0.05, 0.15, 1.0)), vec2<f32>(0.75, 0.45), blur);
     let left = soft_box(w, normalize(vec3<f32>(-1.0, -0.35, 0.45)), vec2<f32>(0.28, 0.62), blur);
     let rim = soft_box(w, normalize(vec3<f32>(0.85, 0.75, 0.35)), vec2<f32>(0.20, 0.70), blur);
+    let behind = soft_box(w, normalize(vec3<f32>(0.1, 1.0, 0.62)), vec2<f32>(0.85, 0.22), blur);
     return gradient
         + 1.5 * overhead * vec3<f32>(0.98, 0.99, 1.0)
         + 1.9 * left * vec3<f32>(1.0, 0.97, 0.93)
-        + 1.3 * rim * vec3<f32>(0.92, 0.96, 1.0);
+        + 1.3 * rim * vec3<f32>(0.92, 0.96, 1.0)
+        + 0.9 * behind * vec3<f32>(1.0, 0.99, 0.97);
 }
 
 /// The sky's irradiance over π on a surface whose normal is n: what a white one sends back, where nothing hides it.

@@ -101,6 +101,27 @@ fn the_prepass_changes_the_cost_and_not_the_picture() {
 }
 
 #[test]
+fn a_lipschitz_constant_that_is_too_large_costs_steps_and_no_holes() {
+    let mut scene = Builder::new();
+    let plate = scene.constant("box", &[20.0, 20.0, 2.0], [0.0; 3]);
+    let drill = scene.constant("cylinder", &[12.0, 2.3], [0.0; 3]);
+    scene.difference(None, plate, vec![drill]);
+    let mut graph = scene.done();
+    let view = view([35.0, 0.0, 25.0], [0.0; 3], 150.0);
+    let mut sampled = |lipschitz: f64| {
+        graph.facts[graph.root.0 as usize].lipschitz = lipschitz;
+        let mut picture = picture(&graph, view, [96, 72]);
+        for _ in 0..4 {
+            picture.sample().unwrap();
+        }
+        picture.hdr().unwrap()
+    };
+    let (fitting, large) = (sampled(1.0), sampled(12.0));
+    let differing = fitting.iter().zip(&large).filter(|(a, b)| (a[1] - b[1]).abs() > 0.15).count();
+    assert!(differing < fitting.len() / 50, "{differing} of {} pixels differ", fitting.len());
+}
+
+#[test]
 fn live_numbers_move_the_picture_without_a_new_pipeline() {
     let radius = Scalar::parameter(ParameterId(0), Interval::new(1.0, 20.0));
     let mut scene = Builder::new();

@@ -23,7 +23,7 @@ impl Builder {
 
     pub(crate) fn add(&mut self, node: Node, bounds: Bounds) -> NodeId {
         self.0.nodes.push(node);
-        self.0.facts.push(Facts { bounds, class: Class::Exact, lipschitz: 1.0 });
+        self.0.facts.push(Facts { bounds, growth: f64::INFINITY, class: Class::Exact, lipschitz: 1.0 });
         self.0.spans.push(Span::new(FileId(0), 0..0));
         NodeId(self.0.nodes.len() as u32 - 1)
     }
