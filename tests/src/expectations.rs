@@ -74,7 +74,8 @@ fn sections<'a>(name: &'a str, text: &'a str) -> Vec<Section<'a>> {
     for line in text.lines() {
         if let Some(name) = line.strip_prefix("// File: ") {
             sections.push(Section { name, heading: Some(line), lines: Vec::new() });
-        } else if !DIAGNOSTICS.iter().any(|start| line.starts_with(start)) && !line.starts_with("// | ")
+        } else if !DIAGNOSTICS.iter().any(|start| line.starts_with(start))
+            && !line.starts_with("// | ")
             && let Some(section) = sections.last_mut()
         {
             section.lines.push(line);
@@ -200,7 +201,7 @@ fn checked_distance(scene: &Scene, evaluator: &Evaluator, line: &str, rest: &str
 fn with_moved(scene: &Scene, moves: &str) -> Vec<f64> {
     let mut values = scene.defaults();
     for (name, value) in moves.split(',').filter_map(|setting| setting.split_once('=')) {
-        let index = scene.parameters.iter().position(|parameter| *parameter.name == *name.trim());
+        let index = scene.parameters.iter().position(|parameter| full_name(parameter) == name.trim());
         let (Some(index), Ok(value)) = (index, value.trim().parse()) else { return vec![f64::NAN; values.len()] };
         values[index] = value;
     }
@@ -221,10 +222,16 @@ fn describe_field(scene: &Scene) -> String {
 fn describe_parameters(scene: &Scene) -> String {
     let describe = |parameter: &solid::LiveParameter| {
         let (min, max) = (rounded(parameter.range.min), rounded(parameter.range.max));
-        format!("{} = {} [{min} to {max}]", parameter.name, rounded(parameter.default))
+        format!("{} = {} [{min} to {max}]", full_name(parameter), rounded(parameter.default))
     };
     let all: Vec<String> = scene.parameters.iter().map(describe).collect();
     if all.is_empty() { "// Parameters: none".to_owned() } else { format!("// Parameters: {}", all.join(", ")) }
+}
+
+/// A live parameter's name, with its index if it is one of a list.
+fn full_name(parameter: &solid::LiveParameter) -> String {
+    let index = parameter.component.map_or(String::new(), |index| format!("[{index}]"));
+    format!("{}{index}", parameter.name)
 }
 
 fn numbers(text: &str) -> Vec<f64> {

@@ -27,12 +27,11 @@ impl Random {
     }
 }
 
-/// The box that samples of a scene are drawn from: its bounds and half as much again around them. What is infinite
+/// The box that samples of a scene are drawn from: its bounds and half as much again around them. What is enormous
 /// or empty is replaced by 100 mm around the origin.
 pub fn sample_box(bounds: &Bounds) -> Bounds {
     let bounds = if bounds.is_empty() { Bounds::ALL } else { *bounds };
-    let cut = bounds.intersection(&Bounds::centred([1e4; 3]));
-    let bounded = if bounds.is_finite() { bounds } else { cut.intersection(&Bounds::centred([100.0; 3])) };
+    let bounded = if bounds.diagonal() < 1e6 { bounds } else { bounds.intersection(&Bounds::centred([100.0; 3])) };
     bounded.inflate(0.25 * bounded.diagonal() + 1e-3)
 }
 

@@ -1,5 +1,5 @@
-//! What the compiler claims of a field holds at sampled points, for every scene of ours and every example that
-//! OpenSCAD's package brings: the Lipschitz constant, the bounds, and that sphere tracing misses no surface.
+//! What the compiler claims of a field holds at sampled points, for every scene of ours, every one of the suite and every
+//! example that OpenSCAD's package brings: the Lipschitz constant, the bounds, and that sphere tracing misses no surface.
 
 use std::path::{Path, PathBuf};
 
@@ -76,10 +76,11 @@ fn sphere_tracing_misses_no_surface_that_tiny_steps_find() {
 /// Calls `check` with the facts and the evaluator of every scene that compiles, and a box to sample.
 fn for_every_scene(check: impl Fn(&Path, Facts, &Evaluator, &Bounds)) {
     let ours: Vec<PathBuf> = scad_files(&workspace().join("examples_csg"));
+    let small = scad_files(&workspace().join("tests/scenes"));
     let theirs = scad_files(Path::new(OPENSCAD_EXAMPLES));
     assert!(ours.len() >= 20, "our examples are not where they should be");
     assert!(theirs.len() >= 40, "OpenSCAD's examples are missing: run tools/setup.sh --tests");
-    for path in ours.into_iter().chain(theirs) {
+    for path in ours.into_iter().chain(small).chain(theirs) {
         let Some(scene) = compiled(&path) else { continue };
         let facts = scene.graph.facts[scene.graph.root.0 as usize];
         let evaluator = Evaluator::new(&scene.graph, &scene.defaults());

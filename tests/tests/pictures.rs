@@ -1,0 +1,151 @@
+//! Small pictures: of a few scenes, against the ones kept in `pictures/`; of every example, whether there is anything
+//! to see.
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use chiaro_compiler::{Options, Scene, compile, shader};
+use chiaro_render::{Gpu, Model, Picture, Preference, View};
+use chiaro_tests::world::DiskWorld;
+use chiaro_tests::{blessing, scad_files, workspace};
+use image::RgbaImage;
+
+/// The size of the pictures that are kept, in pixels.
+const SIZE: [u32; 2] = [96, 72];
+
+/// Samples of each pixel of the pictures that are kept.
+const SAMPLES: u32 = 12;
+
+/// How far a channel of a picture may be from the one that is kept, as the square root of the mean square over all
+/// pixels, in steps of 8 bits.
+///
+/// On one adapter, sampling is deterministic and pictures are equal. Drivers differ in the last bits of arithmetic, so
+/// that a ray near an edge goes elsewhere. If the two pictures' noise were independent, the deviation of a pixel would
+/// be √2 σ / √n, where σ is that of one sample and n = 12. Inside of smooth surfaces σ is about 20 steps (a light half
+/// hidden, of a surface half bright: 40 steps with probability 1/2), at silhouettes up to 100 steps, on about a tenth
+/// of the pixels of such small pictures: √(0.9 · 20² + 0.1 · 100²) · √2 / √12 ≈ 15. But all rays that are not near an
+/// edge go the same way on every adapter. Were one ray in ten to go elsewhere, which is far more than rounding does,
+/// the mean square would be a tenth of that: 15 / √10 ≈ 4.7. Rounding to 8 bits adds √(2 / 12) ≈ 0.4 at most.
+const TOLERANCE: f64 = 5.0;
+
+/// The examples that are kept as pictures.
+const KEPT: [&str; 10] = [
+    "badge",
+    "bolt",
+    "bracket",
+    "die",
+    "gyroid_ball",
+    "hello_fillet",
+    "joints",
+    "molecule",
+    "shell_box",
+    "twisted_vase",
+];
+
+#[test]
+fn examples_look_as_they_did() {
+    let mut changed = Vec::new();
+    for name in KEPT {
+        let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("pictures/{name}.png"));
+        let scene = compiled(&workspace().join(format!("examples_csg/{name}.csg")));
+        let drawn = drawn(&scene, SIZE, SAMPLES).resolve().unwrap();
+        let drawn = RgbaImage::from_raw(SIZE[0], SIZE[1], drawn).unwrap();
+        if blessing() {
+            // What looks the same stays as it is, so that another adapter rewrites nothing.
+            if deviation_from(&kept, &drawn).is_none_or(|deviation| deviation > TOLERANCE) {
+                drawn.save(&kept).unwrap();
+            }
+            continue;
+        }
+        match deviation_from(&kept, &drawn) {
+            Some(deviation) if deviation <= TOLERANCE => {}
+            Some(deviation) => {
+                let actual = std::env::temp_dir().join(format!("chiaro-{name}.png"));
+                drawn.save(&actual).unwrap();
+                changed.push(format!("{name}: deviates by {deviation:.1} of 255; see {}", actual.display()));
+            }
+            None => changed.push(format!("{name}: there is no picture {}", kept.display())),
+        }
+    }
+    assert!(changed.is_empty(), "CHIARO_BLESS=1 accepts these pictures:\n{}", changed.join("\n"));
+}
+
+#[test]
+fn pictures_are_the_same_every_time() {
+    let scene = compiled(&workspace().join("examples_csg/hello_fillet.csg"));
+    let pictures = [0; 2].map(|_| drawn(&scene, SIZE, 2).hdr().unwrap());
+    assert!(pictures[0] == pictures[1], "two pictures of one scene differ");
+}
+
+#[test]
+fn every_example_has_a_shader_and_something_to_see() {
+    for path in examples() {
+        let scene = compiled(&path);
+        if let Err(diagnostic) = shader::wgsl(&scene.picture()) {
+            panic!("{}: {}", path.display(), diagnostic.message);
+        }
+        let picture = drawn(&scene, [48, 36], 1);
+        let radiance = picture.hdr().unwrap();
+        let is_sound = |pixel: &[f32; 4]| pixel.iter().all(|channel| channel.is_finite() && *channel >= 0.0);
+        assert!(radiance.iter().all(is_sound), "{}: a pixel is no colour", path.display());
+        // A scene is framed to fill the picture: what it shows has many brightnesses, and the studio alone has few.
+        let empty = drawn_empty([48, 36]);
+        let differs = |(a, b): &(&[f32; 4], &[f32; 4])| (0..3).any(|i| (a[i] - b[i]).abs() > 0.02);
+        let seen = radiance.iter().zip(empty).filter(differs).count();
+        assert!(seen > radiance.len() / 20, "{}: only {seen} pixels show something", path.display());
+    }
+}
+
+/// All of our examples.
+fn examples() -> Vec<PathBuf> {
+    let examples = scad_files(&workspace().join("examples_csg"));
+    assert!(examples.len() >= 20, "our examples are not where they should be");
+    examples
+}
+
+fn compiled(path: &Path) -> Scene {
+    let compilation = compile(&DiskWorld, &path.to_string_lossy(), &Options::default());
+    let messages: Vec<&str> = compilation.diagnostics.iter().map(|diagnostic| diagnostic.message.as_str()).collect();
+    compilation.scene.unwrap_or_else(|| panic!("{}: {messages:?}", path.display()))
+}
+
+fn gpu() -> &'static Gpu {
+    static GPU: OnceLock<Gpu> = OnceLock::new();
+    GPU.get_or_init(|| {
+        let software = Gpu::new(&Preference::Software).or_else(|_| Gpu::new(&Preference::Any));
+        software.unwrap_or_else(|error| panic!("{error}: tools/setup.sh installs a software adapter"))
+    })
+}
+
+fn drawn(scene: &Scene, [width, height]: [u32; 2], samples: u32) -> Picture {
+    let (graph, values) = (scene.picture(), scene.defaults());
+    let bounds = graph.bounds_at(&values)[graph.root.0 as usize];
+    let view = View::framing(&scene.camera, &values, &bounds, f64::from(width) / f64::from(height));
+    let model = Model::new(gpu(), &graph, &values).unwrap();
+    let mut picture = Picture::new(gpu(), &model, view, [width, height]).unwrap();
+    for _ in 0..samples {
+        picture.sample().unwrap();
+    }
+    picture
+}
+
+/// The radiance of a picture without any scene.
+fn drawn_empty(size: [u32; 2]) -> &'static [[f32; 4]] {
+    static EMPTY: OnceLock<Vec<[f32; 4]>> = OnceLock::new();
+    EMPTY.get_or_init(|| {
+        let world = chiaro_tests::MemoryWorld::of("empty.csg", "");
+        let scene = compile(&world, "empty.csg", &Options::default()).scene.unwrap();
+        drawn(&scene, size, 1).hdr().unwrap()
+    })
+}
+
+/// The square root of the mean square difference to a picture that is kept; none, if it is not.
+fn deviation_from(kept: &Path, drawn: &RgbaImage) -> Option<f64> {
+    let kept = image::open(kept).ok()?.into_rgba8();
+    if kept.dimensions() != drawn.dimensions() {
+        return None;
+    }
+    let squares = kept.as_raw().iter().zip(drawn.as_raw()).map(|(a, b)| f64::from(a.abs_diff(*b)).powi(2));
+    // The fourth channel is always full.
+    Some((squares.sum::<f64>() / (3 * kept.width() * kept.height()) as f64).sqrt())
+}
