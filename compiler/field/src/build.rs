@@ -66,7 +66,7 @@ impl Builder {
         if new {
             let extent = self.measure().in_world(&self.nodes.items[id as usize], &self.extents);
             self.extents.push(extent);
-            self.facts.push(Facts { bounds: extent.bounds, class, lipschitz });
+            self.facts.push(Facts { bounds: extent.bounds, growth: extent.endless_growth(), class, lipschitz });
             self.spans.push(span);
         } else {
             // What is lowered twice, from two places, is known to be no better than from either.
@@ -124,6 +124,7 @@ impl Builder {
             slots: Vec::new(),
         };
         let mut graph = walk::compacted(graph);
+        walk::forget_growth_below_tapers(&mut graph);
         graph.slots = walk::slots(&graph);
         graph
     }

@@ -65,6 +65,11 @@ impl Extent {
         self.grown(value).bounds
     }
 
+    /// The growth, if it holds however far the box grows; else infinite.
+    pub(crate) fn endless_growth(&self) -> f64 {
+        if self.room == f64::INFINITY { self.growth } else { f64::INFINITY }
+    }
+
     /// The extent of the node with its values reduced by `value`.
     fn grown(&self, value: f64) -> Extent {
         if value <= 0.0 || self.bounds == Bounds::ALL {

@@ -7,6 +7,10 @@ use chiaro_vocabulary::{Bounds, Class};
 pub struct Facts {
     /// A box of the world around the node's solid. For plane shapes asked at a flattened point, z is unbounded.
     pub bounds: Bounds,
+    /// The points with values of at most δ > 0 are within δ times this of the bounds, along each axis. So a point
+    /// that is farther from them than that has a value above δ. Infinite where that is not known
+    /// (or not so: below a [`Taper`](crate::Node::Taper)).
+    pub growth: f64,
     /// What its values are, once divided by the Lipschitz constant.
     pub class: Class,
     /// The Lipschitz constant: the greatest slope of the node's value anywhere. The value itself is not divided by

@@ -163,6 +163,20 @@ pub(crate) fn compacted(graph: Graph) -> Graph {
     compacted
 }
 
+/// Below tapers, values are in other units than boxes.
+pub(crate) fn forget_growth_below_tapers(graph: &mut Graph) {
+    let mut below = vec![false; graph.nodes.len()];
+    // What refers stands behind what it refers to.
+    for (index, node) in graph.nodes.iter().enumerate().rev() {
+        if below[index] {
+            graph.facts[index].growth = f64::INFINITY;
+        }
+        if below[index] || matches!(node, Node::Taper(..)) {
+            node.children().iter().for_each(|child| below[child.0 as usize] = true);
+        }
+    }
+}
+
 /// The number each used item gets.
 fn numbers(used: &[bool]) -> impl Iterator<Item = u32> {
     used.iter().scan(0, |next, used| {

@@ -18,7 +18,7 @@ fn union_of(count: u32) -> Graph {
         nodes.push(Node::Shape(row, arguments.into_iter().map(Scalar::from).collect(), PointId(i + 1)));
     }
     nodes.push(Node::Boolean(Operation::Union, None, (0..count).map(NodeId).collect()));
-    let facts = Facts { bounds: Bounds::ALL, class: Class::Exact, lipschitz: 1.0 };
+    let facts = Facts { bounds: Bounds::ALL, growth: f64::INFINITY, class: Class::Exact, lipschitz: 1.0 };
     Graph {
         facts: vec![facts; nodes.len()],
         spans: Vec::new(),

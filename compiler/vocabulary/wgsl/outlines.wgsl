@@ -89,3 +89,22 @@ fn segment_squared(q: vec3<f32>, edge: vec3<f32>) -> f32 {
 fn polytope_end(state: vec2<f32>) -> f32 {
     return select(state.y, sqrt(state.x), state.y > 0.0);
 }
+
+// Whether pieces of an outline within the box from low to high may be nearer to p than the state says.
+fn outline_near(state: vec2<f32>, p: vec2<f32>, low: vec2<f32>, high: vec2<f32>) -> bool {
+    let gap = max(max(low - p, p - high), vec2(0.0));
+    return dot(gap, gap) <= state.x;
+}
+
+// Adds pieces that lead from a to b within a box that is not near: p is beside them, so that a ray which meets
+// them goes from one end's side to the other's.
+fn outline_far(state: vec2<f32>, p: vec2<f32>, a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
+    let crossed = ((a.y > p.y) != (b.y > p.y)) & (p.x < a.x);
+    return vec2(state.x, select(state.y, -state.y, crossed));
+}
+
+// How far p is outside of the box from low to high along the axis where it is farthest; negative inside.
+fn box_gap(p: vec3<f32>, low: vec3<f32>, high: vec3<f32>) -> f32 {
+    let gap = max(low - p, p - high);
+    return max(gap.x, max(gap.y, gap.z));
+}

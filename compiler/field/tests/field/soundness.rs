@@ -64,6 +64,14 @@ fn broken_inside(graph: &Graph, parameters: &[f64], random: &mut Random) -> Opti
         if let Some((p, f)) = outside {
             return Some(format!("d{index} is {f} at {p:?}, outside of {:?}", facts.bounds));
         }
+        let near = points.iter().zip(&values).find(|(p, f)| {
+            let beyond = |axis: usize| (facts.bounds.min[axis] - p[axis]).max(p[axis] - facts.bounds.max[axis]);
+            let gap = (0..3).map(beyond).fold(0.0, f64::max);
+            facts.growth.is_finite() && gap > facts.growth * f.max(0.0) * (1.0 + SLACK) + SLACK
+        });
+        if let Some((p, f)) = near {
+            return Some(format!("d{index} is {f} at {p:?}, too far from {facts:?}"));
+        }
         for (pair, f) in points.windows(2).zip(values.windows(2)) {
             let apart = (0..3).map(|axis| (pair[0][axis] - pair[1][axis]).powi(2)).sum::<f64>().sqrt();
             let steep = (f[0] - f[1]).abs() > facts.lipschitz * apart * (1.0 + SLACK) + SLACK;

@@ -34,7 +34,7 @@ impl Scene {
 
     fn add(&mut self, node: Node) -> NodeId {
         self.0.nodes.push(node);
-        self.0.facts.push(Facts { bounds: Bounds::ALL, class: Class::Exact, lipschitz: 1.0 });
+        self.0.facts.push(Facts { bounds: Bounds::ALL, growth: f64::INFINITY, class: Class::Exact, lipschitz: 1.0 });
         NodeId(self.0.nodes.len() as u32 - 1)
     }
 
