@@ -17,7 +17,7 @@
 /// The β of the running mean of slopes.
 const RELAXATION: f32 = 0.3;
 /// Of one segment; few grazing rays come near it. All segments together stay far below lavapipe's limit of 65535.
-const MAX_STEPS: u32 = 400u;
+const MAX_STEPS: u32 = 1500u;
 /// Of one path; more than four only behind translucent surfaces.
 const MAX_SEGMENTS: u32 = 16u;
 /// How many surfaces a path meets.
@@ -75,8 +75,12 @@ fn meet(segment: Segment) -> Met {
     var z = 0.0;
     var m = -1.0;
     var met = Met(-1.0, vec3<f32>(0.0), 0.0, 0u);
-    // Corners of the tetrahedron about the hit that are still to be asked.
+    // Corners of the tetrahedron about the hit that are still to be asked; d at the hit, and how it fell on the way
+    // there; how small d has to be now to be worth asking.
     var probes = 0u;
+    var found = 0.0;
+    var fall = 0.0;
+    var worth = FAR;
 
     while (probes > 0u) | ((t < end) & (met.evaluations < MAX_STEPS)) {
         // Ask the scene: ahead on the ray, or at a corner about the hit.
@@ -85,21 +89,29 @@ fn meet(segment: Segment) -> Met {
         let d = scene_distance(select(o + ahead * w, at_corner, probes > 0u));
         met.evaluations += 1u;
 
-        // The differences to the corners sum up to the normal.
+        // The differences to the corners sum up to the slope, and so to the normal. Distances that fall slowly, as
+        // those of warped and of scaled parts may, look nearer than they are: then it was no hit, and the ray goes on.
         if probes > 0u {
             met.n += d * corner(probes - 1u);
             probes -= 1u;
-            if probes == 0u {
+            if probes > 0u {
+                continue;
+            }
+            let slope = max(length(met.n) / (4.0 * met.h), fall);
+            if found <= (segment.hit.x + segment.hit.y * t) * slope {
                 break;
             }
+            met.t = -1.0;
+            met.n = vec3<f32>(0.0);
+            worth = 0.5 * found;
             continue;
         }
 
-        // Where the spheres come apart, or the step went into a solid, go back and step to the former one's end only.
+        // Where the spheres come apart, or a relaxed step went into a solid, go back and step to the former one's end.
         let free = segment.side * d / view.eye.w;
         let step = ahead - t;
         let near = segment.hit.x + segment.hit.y * ahead;
-        if step > r + free && step > near {
+        if step > r + free && z > max(r, near) {
             m = -1.0;
             z = max(r, near);
             continue;
@@ -107,16 +119,16 @@ fn meet(segment: Segment) -> Met {
 
         // A hit: nearer than the pixel is wide, and getting nearer (or a ray would hit what it leaves). Here d counts
         // and not d/L, which is small far from surfaces too if some part of the scene has a large L.
-        let hits = segment.side * d < near && free < r;
+        worth = select(FAR, worth, segment.side * d < near);
+        let hits = segment.side * d < min(near, worth) && free < r;
+        fall = view.eye.w * (r - free) / max(step, TINY);
         m = select(-1.0, mix(m, (free - r) / step, RELAXATION), step > 0.0 && r < FAR);
         t = ahead;
         r = free;
         if hits {
             met.t = t + max(free, 0.0);
             met.h = max(2.0 * near, 16.0 * view.box_min.w);
-            if segment.to_key {
-                break;
-            }
+            found = segment.side * d;
             probes = 4u;
         }
 
