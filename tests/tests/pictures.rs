@@ -29,8 +29,21 @@ const SAMPLES: u32 = 12;
 const TOLERANCE: f64 = 5.0;
 
 /// The examples that are kept as pictures.
-const KEPT: [&str; 10] =
-    ["badge", "bracket", "die", "hello_fillet", "joints", "molecule", "mug", "pawn", "shell_box", "snowman"];
+const KEPT: [&str; 13] = [
+    "badge",
+    "bolt",
+    "bracket",
+    "die",
+    "gyroid_ball",
+    "hello_fillet",
+    "joints",
+    "molecule",
+    "mug",
+    "pawn",
+    "shell_box",
+    "snowman",
+    "twisted_vase",
+];
 
 #[test]
 fn examples_look_as_they_did() {
