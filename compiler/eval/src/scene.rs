@@ -133,7 +133,8 @@ impl<'t> Evaluator<'t> {
             ("$fn", Value::number(0.0)),
             ("$fa", Value::number(12.0)),
             ("$fs", Value::number(2.0)),
-            ("$preview", Value::Bool(false)),
+            // As where OpenSCAD draws a picture or dumps a tree: many a library shows its assemblies only then.
+            ("$preview", Value::Bool(true)),
             ("$vpr", numbers(&[0.0, 0.0, 0.0])),
             ("$vpt", numbers(&[0.0, 0.0, 0.0])),
             ("$vpd", Value::number(500.0)),

@@ -83,6 +83,7 @@ fn scopes_nest_and_assignments_run_first() {
 
 #[test]
 fn special_variables_follow_the_calls() {
+    assert_eq!(echo("echo($fn, $fa, $fs, $preview);"), "0, 12, 2, true");
     assert_eq!(echo("$a = 1; module m() { echo($a); } m(); m($a = 2); let ($a = 3) m();"), "1; 2; 3");
     assert_eq!(echo("function f() = $b; function g($b) = f(); echo(g(4), let ($b = 5) f());"), "4, 5");
     assert_eq!(echo("module m() { echo($children, $parent_modules); } m() { m(); *m(); m(); }"), "2, 1");
