@@ -6,6 +6,7 @@
 //! * Constants are literals. Live numbers are loaded from a uniform, large outlines from a storage buffer.
 
 mod blend;
+mod guards;
 mod numbers;
 mod paints;
 mod parts;

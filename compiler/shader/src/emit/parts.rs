@@ -1,18 +1,20 @@
 //! Parts: large scenes as several functions.
 //!
 //! Compilers take more than linear time for one large function, so the operands of large sharp Booleans are put into
-//! functions of their own, some at a time; and a large node that several others refer to is one function, so that
-//! what they share isn't copied into each.
+//! functions of their own, some at a time, neighbours together; and a large node that several others refer to is one
+//! function, so that what they share isn't copied into each.
 
-use chiaro_field::{Graph, NodeId, Operation};
+use chiaro_field::{Bounds, Graph, Node, NodeId, Operation};
 use naga::{Function, Handle};
 use rustc_hash::FxHashMap;
 
 use super::{Emission, Scope};
 use crate::build::Value;
 
-/// The nodes of one function, about.
+/// The most nodes of one function, about.
 const LARGE: u32 = 128;
+/// The most nodes of a function for some operands of a large Boolean, which are divided in space.
+const PART: u32 = 64;
 /// In large scenes, a shared node of this many is a function of its own.
 const LARGE_SHARED: u32 = 32;
 
@@ -20,6 +22,10 @@ const LARGE_SHARED: u32 = 32;
 pub(super) struct Parts {
     /// How many nodes each node stands for, shared ones counted every time.
     weights: Vec<u32>,
+    /// The same with pieces of outlines and polytopes counted as nodes.
+    costs: Vec<u32>,
+    /// The boxes around the nodes.
+    bounds: Vec<Bounds>,
     /// How many nodes refer to each node.
     uses: Vec<u32>,
     is_divided: bool,
@@ -29,17 +35,21 @@ pub(super) struct Parts {
 impl Parts {
     pub(super) fn new(graph: &Graph) -> Self {
         let mut weights: Vec<u32> = Vec::with_capacity(graph.nodes.len());
+        let mut costs: Vec<u32> = Vec::with_capacity(graph.nodes.len());
         let mut uses = vec![0; graph.nodes.len()];
         for node in &graph.nodes {
-            let mut weight = 1_u32;
+            let (mut weight, mut cost) = (1_u32, own_cost(node));
             for child in node.children() {
                 weight = weight.saturating_add(weights[child.0 as usize]);
+                cost = cost.saturating_add(costs[child.0 as usize]);
                 uses[child.0 as usize] += 1;
             }
             weights.push(weight);
+            costs.push(cost);
         }
+        let bounds = graph.facts.iter().map(|facts| facts.bounds).collect();
         let is_divided = weights[graph.root.0 as usize] > LARGE;
-        Self { weights, uses, is_divided, functions: FxHashMap::default() }
+        Self { weights, costs, bounds, uses, is_divided, functions: FxHashMap::default() }
     }
 
     /// Whether the node is too much for one function.
@@ -70,30 +80,62 @@ impl Parts {
         nodes.iter().fold(0_u32, |sum, node| sum.saturating_add(self.weight(*node)))
     }
 
-    /// Lists of nodes, each for one function or, if it is a single node, by itself: as few as the order allows.
-    fn packed(&self, lists: impl Iterator<Item = Vec<NodeId>>) -> Vec<Vec<NodeId>> {
-        let mut packed: Vec<Vec<NodeId>> = Vec::new();
-        let mut room = 0;
-        for mut list in lists {
-            let weight = self.weight_of(&list);
-            match packed.last_mut() {
-                Some(last) if weight <= room => {
-                    last.append(&mut list);
-                    room -= weight;
-                }
-                _ => {
-                    packed.push(list);
-                    room = LARGE.saturating_sub(weight);
-                }
-            }
-        }
+    /// What asking all these nodes costs, in nodes.
+    pub(super) fn cost_of(&self, nodes: &[NodeId]) -> u32 {
+        nodes.iter().fold(0_u32, |sum, node| sum.saturating_add(self.costs[node.0 as usize]))
+    }
+
+    /// The lists of nodes joined to lists for one function each or, of a single node, for that by itself.
+    fn packed(&self, lists: Vec<Vec<NodeId>>) -> Vec<Vec<NodeId>> {
+        let placed = lists.into_iter().map(|list| (self.center(&list), list)).collect();
+        let mut packed = Vec::new();
+        self.pack(placed, &mut packed);
         packed
+    }
+
+    /// Packs lists, each with its middle: divided across their longest extent until they are small enough.
+    fn pack(&self, mut placed: Vec<([f64; 3], Vec<NodeId>)>, packed: &mut Vec<Vec<NodeId>>) {
+        let weight = placed.iter().fold(0_u32, |sum, (_, list)| sum.saturating_add(self.weight_of(list)));
+        if placed.len() < 2 || weight <= PART {
+            let together: Vec<NodeId> = placed.into_iter().flat_map(|(_, list)| list).collect();
+            packed.extend((!together.is_empty()).then_some(together));
+            return;
+        }
+        let extent = |axis: usize| {
+            let along = || placed.iter().map(|(center, _)| center[axis]);
+            along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+        };
+        let extents = [0, 1, 2].map(extent);
+        let axis = (1..3).fold(0, |longest, axis| if extents[axis] > extents[longest] { axis } else { longest });
+        placed.sort_by(|(a, _), (b, _)| a[axis].total_cmp(&b[axis]));
+        let beyond = placed.split_off(placed.len() / 2);
+        self.pack(placed, packed);
+        self.pack(beyond, packed);
+    }
+
+    /// The middle of what is around the nodes; zero where that is without end.
+    fn center(&self, nodes: &[NodeId]) -> [f64; 3] {
+        let around = nodes.iter().fold(Bounds::EMPTY, |all, node| all.union(&self.bounds[node.0 as usize]));
+        around.center().map(|middle| if middle.is_finite() { middle } else { 0.0 })
     }
 
     /// The nodes, which look the same, in lists for one function each.
     fn lists(&self, nodes: &[NodeId]) -> Vec<Vec<NodeId>> {
-        self.packed(nodes.iter().map(|node| vec![*node]))
+        match self.is_divided {
+            true => self.packed(nodes.iter().map(|node| vec![*node]).collect()),
+            false => vec![nodes.to_vec()],
+        }
     }
+}
+
+/// A node's own cost.
+fn own_cost(node: &Node) -> u32 {
+    let pieces = match node {
+        Node::Outline(region, _) => region.edges().count(),
+        Node::Polytope(triangles, _) => triangles.len(),
+        _ => 1,
+    };
+    u32::try_from(pieces).unwrap_or(u32::MAX)
 }
 
 impl Emission<'_> {
@@ -109,7 +151,7 @@ impl Emission<'_> {
             });
             groups[group].push(node);
         }
-        self.parts.packed(groups.iter().flat_map(|group| self.parts.lists(group)))
+        self.parts.packed(groups.iter().flat_map(|group| self.parts.lists(group)).collect())
     }
 }
 
@@ -131,18 +173,25 @@ impl Scope<'_, '_> {
 
     /// The least or greatest of the nodes, evaluated here.
     pub(super) fn reduced_here(&mut self, operation: Operation, nodes: &[NodeId]) -> Value {
-        let values: Vec<Value> = nodes.iter().map(|node| self.distance(*node)).collect();
-        self.chain(operation, &values)
+        self.reduced_by_lists(operation, nodes.iter().map(|node| vec![*node]).collect())
     }
 
     fn reduced_by_lists(&mut self, operation: Operation, lists: Vec<Vec<NodeId>>) -> Value {
-        let values: Vec<Value> = (lists.into_iter())
-            .map(|list| match list[..] {
-                [node] => self.distance(node),
-                _ => self.by_part(operation, list),
-            })
-            .collect();
-        self.chain(operation, &values)
+        match operation {
+            Operation::Union => self.least(lists),
+            Operation::Intersection => {
+                let values: Vec<Value> = lists.into_iter().map(|list| self.list(operation, list)).collect();
+                self.chain(operation, &values)
+            }
+        }
+    }
+
+    /// The least or greatest of the nodes: of a single one here, else by a function.
+    pub(super) fn list(&mut self, operation: Operation, list: Vec<NodeId>) -> Value {
+        match list[..] {
+            [node] => self.distance(node),
+            _ => self.by_part(operation, list),
+        }
     }
 
     /// The node's distance, by a function of its own.
@@ -151,7 +200,7 @@ impl Scope<'_, '_> {
     }
 
     /// The least or greatest of the nodes, by a function, which is emitted when it is first called.
-    fn by_part(&mut self, operation: Operation, nodes: Vec<NodeId>) -> Value {
+    pub(super) fn by_part(&mut self, operation: Operation, nodes: Vec<NodeId>) -> Value {
         let key = (operation, nodes);
         let function = match self.emission.parts.functions.get(&key) {
             Some(&function) => function,

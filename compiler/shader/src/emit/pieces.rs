@@ -13,12 +13,14 @@ use naga::{
 use super::{Emission, Scope};
 use crate::bindings;
 use crate::build::Value;
-use crate::tables::{Entries, Piece, pieces};
+use crate::tables::{Blocks, Entries, Piece, pieces};
 
 /// Outlines with more pieces are loops.
 const MAX_UNROLLED_PIECES: usize = 48;
 /// Polytopes with more triangles are loops.
 const MAX_UNROLLED_TRIANGLES: usize = 24;
+/// At most so many points of an outline are asked before its blocks.
+const MOST_LANDMARKS: usize = 8;
 /// When a module has this many pieces in straight-line code, all further ones are loops.
 const MAX_UNROLLED_IN_MODULE: usize = 4096;
 /// The most rows of tables: 64 MiB, half of what every device allows of a storage buffer.
@@ -62,6 +64,13 @@ impl Emission<'_> {
             self.fail("the outlines and polytopes of this scene have too many edges for one shader");
         }
     }
+}
+
+/// The rows that a loop goes through.
+struct Rows {
+    first: Value,
+    last: Value,
+    each: u32,
 }
 
 /// The number of coordinates and the bits of all numbers of an outline or a polytope.
@@ -115,14 +124,50 @@ impl Scope<'_, '_> {
         let start = self.name(start, "edges");
         let state = match self.emission.unroll(pieces.len(), MAX_UNROLLED_PIECES) {
             true => pieces.iter().fold(start, |state, piece| self.piece(state, point, piece)),
-            false => {
-                let entries = self.emission.tables.outline(pieces);
-                self.emission.check_tables();
-                self.reduction(start, entries, |scope, state, rows| scope.piece_of_rows(state, point, rows))
-            }
+            false => self.outline_in_blocks(start, point, pieces),
         };
         let distance = self.call(&OUTLINE_END, &[state]);
         self.name(distance, "distance")
+    }
+
+    /// The state behind all pieces, read from a table in blocks: those that are far count as one line each.
+    fn outline_in_blocks(&mut self, start: Value, point: Value, pieces: &[Piece]) -> Value {
+        let Blocks { blocks, header, rows_each } = self.emission.tables.outline(pieces);
+        self.emission.check_tables();
+        // Some points of the outline tell from the start which blocks are far.
+        let every = pieces.len().div_ceil(MOST_LANDMARKS);
+        let start = pieces.iter().step_by(every).fold(start, |state, piece| {
+            let landmark = self.constants(&piece.from);
+            let state = self.call(&OUTLINE_LINE, &[state, point, landmark, landmark]);
+            self.name(state, "edges")
+        });
+        let all = self.rows_of(blocks);
+        self.reduction(start, all, |scope, state, block| {
+            let corners = scope.row(block, 0);
+            let [low, high] = scope.halves(corners);
+            let near = scope.call_named("outline_near", &[state, point, low, high]);
+            let name = scope.emission.names.next("next");
+            let next = scope.builder.variable(name, scope.builder.types.vec2, None);
+
+            scope.builder.open();
+            let first = scope.following(block, header);
+            let last = scope.following(block, blocks.rows_each);
+            let behind = scope.reduction(state, Rows { first, last, each: rows_each }, |scope, state, row| {
+                let rows: Vec<Value> = (0..rows_each).map(|offset| scope.row(row, offset)).collect();
+                scope.piece_of_rows(state, point, &rows)
+            });
+            scope.builder.store(next, behind);
+            let accept = scope.builder.close();
+
+            scope.builder.open();
+            let ends = scope.row(block, 1);
+            let [from, to] = scope.halves(ends);
+            let behind = scope.call_named("outline_far", &[state, point, from, to]);
+            scope.builder.store(next, behind);
+            let reject = scope.builder.close();
+            scope.builder.statement(Statement::If { condition: near, accept, reject });
+            scope.builder.load(next)
+        })
     }
 
     fn polytope_here(&mut self, triangles: &[[[f64; 3]; 3]]) -> Value {
@@ -138,9 +183,12 @@ impl Scope<'_, '_> {
             false => {
                 let entries = self.emission.tables.polytope(triangles);
                 self.emission.check_tables();
-                self.reduction(start, entries, |scope, state, rows| {
-                    let corner = |row: &Value| scope.builder.truncate(*row, VectorSize::Tri);
-                    let [a, b, c] = [&rows[0], &rows[1], &rows[2]].map(corner);
+                let all = self.rows_of(entries);
+                self.reduction(start, all, |scope, state, row| {
+                    let [a, b, c] = [0, 1, 2].map(|offset| {
+                        let corner = scope.row(row, offset);
+                        scope.builder.truncate(corner, VectorSize::Tri)
+                    });
                     scope.call(&POLYTOPE_TRIANGLE, &[state, point, a, b, c])
                 })
             }
@@ -164,8 +212,7 @@ impl Scope<'_, '_> {
 
     /// The state behind the piece in these rows of the table.
     fn piece_of_rows(&mut self, state: Value, point: Value, rows: &[Value]) -> Value {
-        let from = self.builder.truncate(rows[0], VectorSize::Bi);
-        let to = self.builder.last_two(rows[0]);
+        let [from, to] = self.halves(rows[0]);
         let Some(&arc) = rows.get(1) else {
             return self.call(&OUTLINE_LINE, &[state, point, from, to]);
         };
@@ -187,22 +234,16 @@ impl Scope<'_, '_> {
         self.builder.load(next)
     }
 
-    /// A loop that makes a new state from the state and each entry's rows. Its bounds are literals: software GPUs
-    /// compile anew for each value of a bound that they read from a uniform.
+    /// A loop that makes a new state from the state and the first row of each entry.
     fn reduction(
         &mut self,
         start: Value,
-        entries: Entries,
-        step: impl FnOnce(&mut Self, Value, &[Value]) -> Value,
+        Rows { first, last, each }: Rows,
+        step: impl FnOnce(&mut Self, Value, Value) -> Value,
     ) -> Value {
-        let row_literal = |scope: &mut Self, row| scope.builder.add(Expression::Literal(Literal::U32(row)));
-        let first = row_literal(self, entries.first_row);
-        let last = row_literal(self, entries.last_row);
-        let each = row_literal(self, entries.rows_each);
-        let variable = self.emission.tables_variable();
-        let table = self.builder.add(Expression::GlobalVariable(variable));
         let row_name = self.emission.names.next("row");
-        let row_variable = self.builder.variable(row_name, self.builder.types.index, Some(first));
+        let row_variable = self.builder.variable(row_name, self.builder.types.index, None);
+        self.builder.store(row_variable, first);
         let state_name = self.emission.names.next("state");
         let state_variable = self.builder.variable(state_name, self.builder.types.vec2, None);
         self.builder.store(state_variable, start);
@@ -214,30 +255,49 @@ impl Scope<'_, '_> {
         self.builder.statement(Statement::Break);
         let accept = self.builder.close();
         self.builder.statement(Statement::If { condition: done, accept, reject: naga::Block::new() });
-        let rows: Vec<Value> = (0..entries.rows_each).map(|offset| self.row(table, row, offset)).collect();
         let state = self.builder.load(state_variable);
-        let next = step(self, state, &rows);
+        let next = step(self, state, row);
         self.builder.store(state_variable, next);
         let body = self.builder.close();
 
         self.builder.open();
-        let following = self.builder.binary(BinaryOperator::Add, row, each);
+        let following = self.following(row, each);
         self.builder.store(row_variable, following);
         let continuing = self.builder.close();
         self.builder.statement(Statement::Loop { body, continuing, break_if: None });
         self.builder.load(state_variable)
     }
 
-    /// A row of the table.
-    fn row(&mut self, table: Value, row: Value, offset: u32) -> Value {
-        let index = match offset {
-            0 => row,
-            _ => {
-                let offset = self.builder.add(Expression::Literal(Literal::U32(offset)));
-                self.builder.binary(BinaryOperator::Add, row, offset)
-            }
-        };
+    /// All rows of the entries. The bounds are literals: software GPUs compile anew for each value of a bound that
+    /// they read from a uniform.
+    fn rows_of(&mut self, Entries { first_row, last_row, rows_each }: Entries) -> Rows {
+        Rows { first: self.row_number(first_row), last: self.row_number(last_row), each: rows_each }
+    }
+
+    /// A row of the table, some behind another.
+    fn row(&mut self, row: Value, offset: u32) -> Value {
+        let variable = self.emission.tables_variable();
+        let table = self.builder.add(Expression::GlobalVariable(variable));
+        let index = self.following(row, offset);
         let pointer = self.builder.add(Expression::Access { base: table, index });
         self.builder.load(pointer)
+    }
+
+    /// The number of the row that is so many behind another.
+    fn following(&mut self, row: Value, offset: u32) -> Value {
+        if offset == 0 {
+            return row;
+        }
+        let offset = self.row_number(offset);
+        self.builder.binary(BinaryOperator::Add, row, offset)
+    }
+
+    fn row_number(&mut self, row: u32) -> Value {
+        self.builder.add(Expression::Literal(Literal::U32(row)))
+    }
+
+    /// The first two and the last two numbers of a row.
+    fn halves(&mut self, row: Value) -> [Value; 2] {
+        [self.builder.truncate(row, VectorSize::Bi), self.builder.last_two(row)]
     }
 }

@@ -16,6 +16,9 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 use interpreter::Machine;
 
+/// Exact, but who knows where.
+const EXACT: Facts = Facts { bounds: Bounds::ALL, growth: f64::INFINITY, class: Class::Exact, lipschitz: 1.0 };
+
 /// Builds graphs by hand.
 struct Scene(Graph);
 
@@ -34,8 +37,13 @@ impl Scene {
 
     fn add(&mut self, node: Node) -> NodeId {
         self.0.nodes.push(node);
-        self.0.facts.push(Facts { bounds: Bounds::ALL, growth: f64::INFINITY, class: Class::Exact, lipschitz: 1.0 });
+        self.0.facts.push(EXACT);
         NodeId(self.0.nodes.len() as u32 - 1)
+    }
+
+    /// Says that an exact shape is in this box.
+    fn within(&mut self, id: NodeId, min: [f64; 3], max: [f64; 3]) {
+        self.0.facts[id.0 as usize] = Facts { bounds: Bounds { min, max }, growth: 1.0, ..EXACT };
     }
 
     fn at(&mut self, point: Point) -> PointId {
@@ -134,6 +142,12 @@ impl Checked {
         assert_eq!(surface.len(), 8);
         [surface[0], surface[1], surface[2]]
     }
+}
+
+/// Points of a cube about the origin that has an edge of 60.
+fn random_points(count: u64) -> impl Iterator<Item = [f64; 3]> {
+    let fraction = |i: u64, ratio: f64| (i as f64 * ratio).fract() * 60.0 - 30.0;
+    (1..=count).map(move |i| [fraction(i, 0.8191725), fraction(i, 0.6710436), fraction(i, 0.5497005)])
 }
 
 #[track_caller]
@@ -301,8 +315,9 @@ fn outlines_are_the_same_unrolled_and_in_a_loop() {
             rows,
             match (sides, has_arcs) {
                 (7, _) => 0,
-                (_, false) => 60,
-                (_, true) => 2 * 64,
+                // Blocks of seven or eight pieces behind two rows each.
+                (_, false) => 9 * (2 + 7),
+                (_, true) => 9 * (2 + 2 * 8),
             }
         );
         let checked = checked(&graph, &[]);
@@ -311,6 +326,9 @@ fn outlines_are_the_same_unrolled_and_in_a_loop() {
         assert_close(checked.distance([0.0, 0.0, 3.0]), middle);
         assert_close(checked.distance([25.0, 0.0, 3.0]), 5.0);
         assert!(checked.distance([0.0, 10.0, 3.0]) < 0.0);
+        for p in random_points(100) {
+            checked.distance(p);
+        }
     }
 }
 
@@ -431,23 +449,52 @@ fn large_scenes_are_divided() {
         .map(|i| {
             let at = scene.moved(place(i));
             let ball = scene.shape("sphere", &[1.0], at);
-            match i % 3 {
-                0 => scene.painted(RED, ball),
-                1 => scene.painted(GREEN, ball),
-                _ => ball,
-            }
+            scene.within(ball, place(i).map(|c| c - 1.0), place(i).map(|c| c + 1.0));
+            let color = match i % 3 {
+                0 => RED,
+                1 => GREEN,
+                _ => return ball,
+            };
+            let painted = scene.painted(color, ball);
+            scene.0.facts[painted.0 as usize] = scene.0.facts[ball.0 as usize];
+            painted
         })
         .collect();
     scene.union(balls);
     let checked = checked(&scene.done(), &[]);
     let longest = checked.module.functions.iter().map(|(_, function)| function.expressions.len()).max();
     assert!(longest < Some(2000), "{longest:?}");
+    assert!(checked.text.contains("<= max(so_far_"), "{}", checked.text);
+    for p in random_points(100) {
+        checked.distance(p);
+    }
     for p in [[1.0, 2.0, 3.0], [40.0, 41.0, -7.0], [200.0, 0.0, 0.0]] {
         let to = |i: u32| place(i).iter().zip(p).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt() - 1.0;
         assert_close(checked.distance(p), (0..900).map(to).fold(f64::INFINITY, f64::min));
     }
     assert_eq!(checked.color([3.0, 0.0, 1.0]), [0.0, 1.0, 0.0]);
     assert_eq!(checked.color([9.0, 9.0, 1.0]), [1.0, 0.0, 0.0]);
+}
+
+#[test]
+fn costly_operands_are_asked_only_where_they_count() {
+    let mut scene = Scene::new();
+    let mut gears: Vec<NodeId> = (0..4)
+        .map(|i| {
+            let by = f64::from(i) * 12.0 - 18.0;
+            let at = scene.moved([by, 0.0, 0.0]);
+            let gear = scene.add(Node::Outline(Arc::new(Region::ngon(5.0, 40 + 10 * i)), at));
+            scene.within(gear, [by - 5.0, -5.0, f64::NEG_INFINITY], [by + 5.0, 5.0, f64::INFINITY]);
+            gear
+        })
+        .collect();
+    gears.push(scene.shape("sphere", &[4.0], PointId(0)));
+    scene.union(gears);
+    let checked = checked(&scene.done(), &[]);
+    assert_eq!(checked.text.matches("= box_gap(").count(), 4, "{}", checked.text);
+    for p in random_points(300) {
+        checked.distance(p);
+    }
 }
 
 #[test]
