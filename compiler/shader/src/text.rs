@@ -6,8 +6,8 @@ use chiaro_field::Graph;
 use chiaro_syntax::Diagnostic;
 use naga::back::wgsl::{WriterFlags, write_string};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
-use naga::{AddressSpace, ArraySize, Expression, Function, FunctionArgument, Handle, Module, Span, TypeInner};
-use rustc_hash::FxHashSet;
+use naga::{AddressSpace, ArraySize, Function, Handle, Module, TypeInner};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::emit::{Emitted, OwnFunction, emit};
 use crate::template::{SCENE, Template};
@@ -111,49 +111,38 @@ fn variables(module: &Module) -> String {
 
 /// The text of the functions that stand for the graph.
 fn own_text(emitted: &Emitted) -> Result<String, Diagnostic> {
-    let mut blank = emitted.module.clone();
-    for (_, function) in blank.functions.iter_mut() {
-        *function = blanked(function);
-    }
+    let written = written(&emitted.module)
+        .map_err(|error| Diagnostic::error(None, format!("this scene makes invalid WGSL: {error}")))?;
+    let texts = function_texts(&written);
     let mut text = String::new();
     for &OwnFunction { handle, comment } in &emitted.functions {
         let function = &emitted.module.functions[handle];
-        let printed = printed(&mut blank, handle, function)
-            .map_err(|error| Diagnostic::error(None, format!("this scene makes invalid WGSL: {error}")))?;
+        let Some(own) = function.name.as_deref().and_then(|name| texts.get(name)) else { continue };
         text += if comment.is_empty() { stub_comment(function) } else { comment };
-        text += &unwrapped(&renamed(&printed, function));
+        text += &unwrapped(&renamed(own, function));
         text += "\n";
     }
     Ok(text)
 }
 
-/// The function without a body and without names, so that the writer need not tell its names from others.
-fn blanked(function: &Function) -> Function {
-    let arguments = function.arguments.iter().map(|argument| FunctionArgument { name: None, ..argument.clone() });
-    let mut blank = Function {
-        name: function.name.clone(),
-        arguments: arguments.collect(),
-        result: function.result.clone(),
-        ..Function::default()
-    };
-    let value = (function.result.as_ref())
-        .map(|result| blank.expressions.append(Expression::ZeroValue(result.ty), Span::UNDEFINED));
-    blank.body.push(naga::Statement::Return { value }, Span::UNDEFINED);
-    blank
+/// The module as naga writes it.
+fn written(module: &Module) -> Result<String, String> {
+    let info = Validator::new(ValidationFlags::all(), Capabilities::default())
+        .validate(module)
+        .map_err(|error| error.into_inner().to_string())?;
+    write_string(module, &info, WriterFlags::empty()).map_err(|error| error.to_string())
 }
 
-/// One function, as naga writes it into a module of blank ones.
-fn printed(blank: &mut Module, handle: Handle<Function>, function: &Function) -> Result<String, String> {
-    let mut place = std::mem::replace(blank.functions.get_mut(handle), function.clone());
-    let info = Validator::new(ValidationFlags::all(), Capabilities::default())
-        .validate(blank)
-        .map_err(|error| error.into_inner().to_string())?;
-    let text = write_string(blank, &info, WriterFlags::empty()).map_err(|error| error.to_string())?;
-    std::mem::swap(blank.functions.get_mut(handle), &mut place);
-    let name = function.name.as_deref().unwrap_or_default();
-    let start = text.find(&format!("fn {name}(")).ok_or("a function is missing")?;
-    let end = text[start..].find("\n}\n").ok_or("a function does not end")?;
-    Ok(text[start..start + end + "\n}\n".len()].to_string())
+/// The text of each function by its name. Functions start and end in the first column, and nothing in them does.
+fn function_texts(written: &str) -> FxHashMap<&str, &str> {
+    let starts = written.match_indices("\nfn ").map(|(at, _)| at + 1);
+    let texts = starts.filter_map(|start| {
+        let text = &written[start..];
+        let name = words(text).nth(1)?;
+        let end = text.find("\n}\n")? + "\n}\n".len();
+        Some((name, &text[..end]))
+    });
+    texts.collect()
 }
 
 /// What `scene.wgsl` says about the function.
@@ -162,22 +151,30 @@ fn stub_comment(function: &Function) -> &'static str {
     stub.and_then(|stub| stub.text.split_once("fn ")).map_or("", |(comment, _)| comment)
 }
 
-/// The text with the results of calls by their names: naga writes `_e7` for expression 7, whatever its name.
+/// The text with every value by its own name. naga writes `_e7` for the result of a call that is expression 7, and
+/// `p_3` for a name that three functions before have used; no name of ours ends in a digit.
 fn renamed(text: &str, function: &Function) -> String {
-    let names: rustc_hash::FxHashMap<usize, &str> =
+    let by_index: FxHashMap<usize, &str> =
         function.named_expressions.iter().map(|(handle, name)| (handle.index(), name.as_str())).collect();
+    let locals = function.local_variables.iter().filter_map(|(_, local)| local.name.as_deref());
+    let arguments = function.arguments.iter().filter_map(|argument| argument.name.as_deref());
+    let own: FxHashSet<&str> = by_index.values().copied().chain(locals).chain(arguments).collect();
+    let name = |word: &str| -> Option<&str> {
+        let (base, number) = word.rsplit_once('_')?;
+        match number.strip_prefix('e') {
+            Some(index) if base.is_empty() => by_index.get(&index.parse().ok()?).copied(),
+            _ => own.get(base).copied().filter(|_| number.bytes().all(|byte| byte.is_ascii_digit())),
+        }
+    };
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let mut result = String::with_capacity(text.len());
     let mut rest = text;
-    while let Some(start) = rest.find("_e") {
-        let (before, token) = rest.split_at(start);
-        let digits = token[2..].find(|c: char| !c.is_ascii_digit()).unwrap_or(token.len() - 2);
-        let (token, after) = token.split_at(2 + digits);
-        let is_whole = !before.ends_with(|c: char| c.is_ascii_alphanumeric() || c == '_')
-            && !after.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_');
-        let name = token[2..].parse().ok().and_then(|index: usize| names.get(&index)).filter(|_| is_whole);
-        result += before;
-        result += name.unwrap_or(&token);
-        rest = after;
+    while let Some(start) = rest.find(is_part) {
+        let end = rest[start..].find(|c| !is_part(c)).map_or(rest.len(), |length| start + length);
+        let word = &rest[start..end];
+        result += &rest[..start];
+        result += name(word).unwrap_or(word);
+        rest = &rest[end..];
     }
     result + rest
 }
