@@ -61,7 +61,9 @@ impl Printer {
             }
             ExpressionKind::Member(list, member) => {
                 self.tight(list, APPLIED);
-                self.write(".");
+                // A name may begin with a digit, and a point before one would begin a number.
+                let begins_number = member.node.starts_with(|first: char| first.is_ascii_digit());
+                self.write(if begins_number { ". " } else { "." });
                 self.write(&member.node);
             }
             ExpressionKind::Call(function, arguments) => {

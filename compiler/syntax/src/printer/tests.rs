@@ -69,6 +69,7 @@ five = 5; // [\"5\":Five]
 #[test]
 fn small_programs_survive() {
     for text in [
+        "x = a. 3d + b.y;",
         "if (a) { if (b) c(); } else d();",
         "if (a) translate() { if (b) c(); } else d();",
         "x = [if (a) (if (b) 1) else 2, if (a) for (i = b) (if (i) 1) else 2];",
