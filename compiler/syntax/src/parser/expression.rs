@@ -200,7 +200,6 @@ impl Parser<'_> {
                 self.error(error.with_hint(hint));
                 self.skip_in_brackets(&[TokenKind::Comma]);
             }
-            TokenKind::Comma => self.error(error.with_hint("only one comma may follow a value")),
             _ => self.error(error),
         }
         let end = self.previous_end.max(start);
@@ -222,6 +221,7 @@ impl Parser<'_> {
     /// Reads arguments up to the `)` of `opener`, or a `;`.
     pub(super) fn argument_list(&mut self, opener: Token) -> Vec<Argument> {
         let mut arguments = Vec::new();
+        self.skip_commas();
         while !matches!(self.token.kind, TokenKind::CloseParenthesis | TokenKind::Semicolon | TokenKind::End) {
             arguments.push(self.argument());
             if !self.next_item(opener) {
@@ -249,6 +249,7 @@ impl Parser<'_> {
             return parameters;
         }
         let opener = self.open();
+        self.skip_commas();
         while !matches!(self.token.kind, TokenKind::CloseParenthesis | TokenKind::End) {
             if let Some(name) = self.eat_name() {
                 let default = self.eat(TokenKind::Assign).then(|| self.expression());

@@ -9,6 +9,7 @@ impl Parser<'_> {
     pub(super) fn list_or_range(&mut self) -> ExpressionKind {
         let opener = self.open();
         let mut elements = Vec::new();
+        self.skip_commas();
         while !matches!(self.token.kind, TokenKind::CloseBracket | TokenKind::End) {
             let element = self.element();
             match element {

@@ -92,7 +92,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Reads the comma behind an item of a list. What stands where it or the closing bracket should is reported and
+    /// Reads the commas behind an item of a list. What stands where it or the closing bracket should is reported and
     /// skipped. Answers whether the list goes on.
     pub(super) fn next_item(&mut self, opener: Token) -> bool {
         let closer = closer(opener);
@@ -105,7 +105,15 @@ impl Parser<'_> {
                 self.last_error = Some(self.token.start);
             }
         }
-        self.eat(TokenKind::Comma)
+        self.skip_commas()
+    }
+
+    /// Reads commas. OpenSCAD takes several as one, and some in front of the first item as none. Answers whether there
+    /// are any.
+    pub(super) fn skip_commas(&mut self) -> bool {
+        let found = self.eat(TokenKind::Comma);
+        while self.eat(TokenKind::Comma) {}
+        found
     }
 
     /// Reports that something else than `expected`, or nothing, stands where the bracket `opener` should close.

@@ -69,6 +69,19 @@ fn parentheses_in_lists_hold_operands_or_comprehensions() {
 }
 
 #[test]
+fn commas_may_be_repeated() {
+    for (text, once) in [
+        ("x = [a, , b,,];", "x = [a, b];"),
+        ("x = [,,];", "x = [];"),
+        ("x = f(a,, b = 1, ,);", "x = f(a, b = 1);"),
+        ("m(,a);", "m(a);"),
+        ("module m(a,, b,) cube(a);", "module m(a, b) cube(a);"),
+    ] {
+        assert_eq!(crate::print(&tree(text)), crate::print(&tree(once)));
+    }
+}
+
+#[test]
 fn spans_cover_the_whole_text_of_a_node() {
     let text = "x = (a + b) * [1, 2];";
     assert_eq!(&text[value(text).span.range()], "(a + b) * [1, 2]");
