@@ -1,13 +1,13 @@
 //! The `chiaro` command.
 //!
 //! Only this crate touches files and the terminal. Each subcommand is one file of [`commands`]; each of them compiles
-//! through [`session::Session`], which reports what there is to say.
+//! through [`compile::Session`], which reports what there is to say.
 
 mod arguments;
 mod commands;
+mod compile;
 mod files;
 mod images;
-mod session;
 mod terminal;
 mod view;
 mod world;

@@ -5,13 +5,13 @@ use std::process::ExitCode;
 use anyhow::Result;
 
 use crate::arguments::{Check, Global};
-use crate::{session, terminal};
+use crate::{compile, terminal};
 
 pub(crate) fn run(arguments: &Check, global: &Global) -> Result<ExitCode> {
-    let compilation = session::compilation(&arguments.scene, global)?;
+    let compilation = compile::compilation(&arguments.scene, global)?;
     let Some(scene) = &compilation.scene else { return Ok(ExitCode::FAILURE) };
     // The shader is part of what can go wrong with a scene.
-    if session::wgsl(&compilation, scene, global)?.is_none() {
+    if compile::wgsl(&compilation, scene, global)?.is_none() {
         return Ok(ExitCode::FAILURE);
     }
     let nodes = scene.graph.nodes.len();

@@ -14,7 +14,7 @@ use serde_json::json;
 
 use crate::arguments::{Distance, Global};
 use crate::commands::render::preference;
-use crate::{session, terminal};
+use crate::{compile, terminal};
 
 /// A line of the input; what else it says is ignored. Lines without a point, such as a header, are passed over.
 #[derive(Deserialize)]
@@ -23,7 +23,7 @@ struct Line {
 }
 
 pub(crate) fn run(arguments: &Distance, global: &Global) -> Result<ExitCode> {
-    let Some(scene) = session::scene(&arguments.scene, global)? else { return Ok(ExitCode::FAILURE) };
+    let Some(scene) = compile::scene(&arguments.scene, global)? else { return Ok(ExitCode::FAILURE) };
     let points = read_points(&arguments.points, scene.dimension(), global)?;
     let distances = if arguments.gpu {
         let gpu = Gpu::new(&preference(&arguments.adapter))?;

@@ -8,10 +8,10 @@ use chiaro_compiler::syntax::{Dialect, FileId, parse, print};
 use chiaro_compiler::{field, solid};
 
 use crate::arguments::{Dump, Global, Stage};
-use crate::session;
+use crate::compile;
 
 pub(crate) fn run(arguments: &Dump, global: &Global) -> Result<ExitCode> {
-    let compilation = session::compilation(&arguments.scene, global)?;
+    let compilation = compile::compilation(&arguments.scene, global)?;
     let text = match (arguments.stage, &compilation.scene) {
         (Stage::Syntax, _) => {
             // A text that has errors further on still has a syntax tree.
@@ -22,7 +22,7 @@ pub(crate) fn run(arguments: &Dump, global: &Global) -> Result<ExitCode> {
         (_, None) => return Ok(ExitCode::FAILURE),
         (Stage::Solid, Some(scene)) => solid::print(&scene.solid),
         (Stage::Field, Some(scene)) => field::print(&scene.graph),
-        (Stage::Wgsl, Some(scene)) => match session::wgsl(&compilation, scene, global)? {
+        (Stage::Wgsl, Some(scene)) => match compile::wgsl(&compilation, scene, global)? {
             Some(text) => text,
             None => return Ok(ExitCode::FAILURE),
         },

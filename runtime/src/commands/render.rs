@@ -12,14 +12,14 @@ use indicatif::ProgressBar;
 
 use crate::arguments::{AdapterArguments, Global, Render, SceneArguments};
 use crate::images::{self, Format};
-use crate::{session, terminal};
+use crate::{compile, terminal};
 
 /// The name of OpenSCAD's clock, which goes from 0 to 1.
 const CLOCK: &str = "$t";
 
 pub(crate) fn run(arguments: &Render, global: &Global) -> Result<ExitCode> {
     let format = Format::of(&arguments.output)?;
-    let Some(scene) = session::scene(&arguments.scene, global)? else { return Ok(ExitCode::FAILURE) };
+    let Some(scene) = compile::scene(&arguments.scene, global)? else { return Ok(ExitCode::FAILURE) };
     let gpu = Gpu::new(&preference(&arguments.adapter))?;
     let mut studio = Studio::new(&gpu, &scene, arguments)?;
 
@@ -51,7 +51,7 @@ fn scene_at(time: f64, arguments: &SceneArguments, global: &Global) -> Result<Op
     let mut arguments = arguments.clone();
     arguments.definitions.push((CLOCK.to_owned(), time.to_string()));
     // What there is to say about the scene was said of the first frame; but errors may be new.
-    session::scene(&arguments, &Global { quiet: true, ..*global })
+    compile::scene(&arguments, &Global { quiet: true, ..*global })
 }
 
 /// The adapter that the command line asks for.

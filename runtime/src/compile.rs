@@ -1,7 +1,7 @@
 //! Compiling a scene from the command line, with its diagnostics reported.
 
 use anyhow::Result;
-use chiaro_compiler::{Compilation, Facets, Options, Scene, compile, shader};
+use chiaro_compiler::{Compilation, Facets, Options, Scene, shader};
 
 use crate::arguments::{FacetPolicy, Global, SceneArguments};
 use crate::terminal;
@@ -23,7 +23,7 @@ pub(crate) fn compilation(arguments: &SceneArguments, global: &Global) -> Result
         },
         ..Options::default()
     };
-    let compilation = compile(&FileWorld::new(), &arguments.file.to_string_lossy(), &options);
+    let compilation = chiaro_compiler::compile(&FileWorld::new(), &arguments.file.to_string_lossy(), &options);
     terminal::report(&compilation.sources, &compilation.diagnostics, global)?;
     Ok(compilation)
 }
