@@ -1,7 +1,7 @@
 //! The `chiaro` command.
 //!
 //! Only this crate touches files and the terminal. Each subcommand is one file of [`commands`]; each of them compiles
-//! through [`compile::Session`], which reports what there is to say.
+//! through [`compile`], which reports what there is to say.
 
 mod arguments;
 mod commands;
