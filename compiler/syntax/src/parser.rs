@@ -73,6 +73,8 @@ struct Parser<'a> {
     ahead: Token,
     /// Whether an error about what stands before `ahead` makes one about `ahead` itself pointless.
     ahead_is_tainted: bool,
+    /// Whether a string that is never closed may have swallowed braces, so that the others need not match.
+    hides_braces: bool,
     /// Where the last token read ends.
     previous_end: u32,
     /// Where the token begins that the last error was about.
@@ -107,6 +109,7 @@ impl<'a> Parser<'a> {
             token: nothing,
             ahead: nothing,
             ahead_is_tainted: false,
+            hides_braces: false,
             previous_end: 0,
             last_error: None,
             open: OpenBrackets::default(),

@@ -102,6 +102,7 @@ impl<'a> Parser<'a> {
                 TokenKind::UnclosedString => {
                     let error = Diagnostic::error(self.span(token), "this string is never closed");
                     self.reports.push(error.with_hint("close it with `\"`"));
+                    self.hides_braces |= self.text[token.range()].contains(['{', '}']);
                     return token;
                 }
                 TokenKind::UnclosedPath => {

@@ -37,13 +37,25 @@ impl Parser<'_> {
         self.error(error);
     }
 
-    /// Reports that a block ends with the file.
+    /// Reports that a block ends with the file, unless its end may be in a string that is never closed.
     #[inline(never)]
     pub(super) fn unclosed_block(&mut self, opener: Token) {
+        if self.hides_braces {
+            return;
+        }
         let error = Diagnostic::error(self.gap(), "missing `}` at the end of the file");
         // Every open block is worth a message.
         self.last_error = None;
         self.error(error.with_related(self.span(opener), "this `{` is never closed"));
+    }
+
+    /// Reports a `}` that closes nothing, unless its `{` may be in a string that is never closed.
+    #[inline(never)]
+    pub(super) fn unmatched_brace(&mut self) {
+        if !self.hides_braces {
+            let error = Diagnostic::error(self.span(self.token), "unmatched `}`");
+            self.error(error.with_hint("nothing is open that it could close"));
+        }
     }
 
     /// The error that something else than `expected` was found.
@@ -84,6 +96,10 @@ impl Parser<'_> {
         if !self.at(closer) {
             self.bracket_error(opener, expected);
             self.skip_in_brackets(&[closer]);
+            if self.ends_brackets() {
+                // Brackets around this one may be unclosed for the same reason.
+                self.last_error = Some(self.token.start);
+            }
         }
         self.eat(closer);
         match opener.kind {
@@ -230,7 +246,7 @@ impl Parser<'_> {
         }
     }
 
-    fn with_statement_hint(&self, error: Diagnostic) -> Diagnostic {
+    pub(super) fn with_statement_hint(&self, error: Diagnostic) -> Diagnostic {
         match self.token.kind {
             TokenKind::Assign => error.with_hint("`==` compares two values"),
             TokenKind::CloseParenthesis | TokenKind::CloseBracket => {

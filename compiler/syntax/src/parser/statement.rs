@@ -19,8 +19,7 @@ impl Parser<'_> {
             if self.at(TokenKind::End) {
                 return statements;
             }
-            let error = Diagnostic::error(self.span(self.token), "unmatched `}`");
-            self.error(error.with_hint("nothing is open that it could close"));
+            self.unmatched_brace();
             self.bump();
         }
     }
@@ -279,7 +278,8 @@ impl Parser<'_> {
             }
             _ if self.at_statement() => self.no_child("a definition is no child of this", head),
             _ => {
-                self.expected("`;`, `{` or a module");
+                let error = self.unexpected("`;`, `{` or a module");
+                self.error(self.with_statement_hint(error));
                 self.skip_statement();
             }
         }

@@ -186,6 +186,30 @@ fn characters_and_strings_that_cannot_be_are_reported_without_further_errors() {
 }
 
 #[test]
+fn a_string_left_open_is_one_error_whatever_it_swallows() {
+    for text in [
+        "a = ((1 + \"x);\nb = 1;",
+        "a = [[f([\"x)]]];\nb = 1;",
+        "for (i = [0:len((\"x))]) cube(i);\nb = 1;",
+        "module m() { text(\"abc); }\nm();",
+        "color(\"red) {\n  cube(1);\n}\nb = 1;",
+        "if ((a == \"b)) {\n  cube(1);\n}",
+    ] {
+        let messages = messages(text);
+        assert!(messages.len() == 1 && messages[0].ends_with("this string is never closed"), "{text}\n{messages:?}");
+    }
+}
+
+#[test]
+fn a_bracket_that_closes_nothing_is_said_to() {
+    for text in ["cube(1));", "x = 1);", "cube(1) ];"] {
+        let (_, diagnostics) = parse(FILE, text, Dialect::Program);
+        let hints: Vec<_> = diagnostics.iter().flat_map(|diagnostic| &diagnostic.hints).collect();
+        assert_eq!(hints, ["nothing is open that it could close"], "{text}");
+    }
+}
+
+#[test]
 fn no_more_than_a_hundred_errors_are_shown() {
     let messages = messages(&"a = ;\n".repeat(1000));
     assert_eq!(messages.len(), 101);
