@@ -8,11 +8,10 @@ use chiaro_syntax::tree::{Instance, ModuleDefinition, Name, Statement};
 use chiaro_syntax::{Diagnostic, Span};
 
 use crate::evaluator::{Call, Children, Evaluator, Halt, Result, Unit};
-use crate::geometry;
 use crate::plan::Plan;
 use crate::scope::{Scope, Specials};
-use crate::suggest;
 use crate::value::Value;
+use crate::{foreign, geometry, suggest};
 
 /// The modules that are part of the language rather than geometry.
 const CONTROL: [&str; 9] = ["for", "intersection_for", "if", "let", "assign", "echo", "assert", "children", "child"];
@@ -357,7 +356,8 @@ impl<'t> Evaluator<'t> {
             }
         }
         let mut error = Diagnostic::error(span, format!("there is no module `{name}`"));
-        error.hints.extend(suggest::hint(name, known.iter().map(|name| &**name)));
+        let nearest = || suggest::hint(name, known.iter().map(|name| &**name));
+        error.hints.extend(foreign::module_hint(name).or_else(nearest));
         self.error(error)
     }
 

@@ -12,6 +12,7 @@ mod scene;
 mod call;
 mod evaluator;
 mod expression;
+mod foreign;
 mod functions;
 mod instance;
 mod list;

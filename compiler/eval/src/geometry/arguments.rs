@@ -10,8 +10,8 @@ use chiaro_syntax::{Diagnostic, Span};
 
 use super::instance::Instance;
 use super::{Argument, Stop, decide};
-use crate::suggest;
 use crate::value::Value;
+use crate::{foreign, suggest};
 
 /// Parameters of OpenSCAD's that mean nothing here or only in old scenes. Dumps are full of them.
 const IGNORED: [&str; 9] = ["convexity", "timestamp", "file", "layer", "origin", "id", "dpi", "segments", "slices"];
@@ -69,7 +69,8 @@ fn parameter_named(
     if found.is_none() && !name.starts_with('$') && !IGNORED.contains(&name) {
         let message = format!("`{module}` has no parameter `{name}`; the argument is ignored");
         let warning = Diagnostic::warning(span, message);
-        diagnostics.push(match suggest::hint(name, parameters()) {
+        let hint = suggest::hint(name, parameters()).or_else(|| foreign::parameter_hint(name, parameters()));
+        diagnostics.push(match hint {
             Some(hint) => warning.with_hint(hint),
             None => warning,
         });

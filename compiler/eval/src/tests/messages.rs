@@ -15,6 +15,19 @@ fn unknown_names_are_errors_with_suggestions() {
 }
 
 #[test]
+fn what_other_languages_call_modules_is_hinted_at() {
+    for (text, hint) in [
+        ("smooth_union(r = 2) cube(1);", "union(r = …)"),
+        ("fillet(2) cube(1);", "union(r = …)"),
+        ("roundedcube([1, 2, 3], 1);", "cube(…, r = …)"),
+        ("rounded_cube(3, 1);", "cube(…, r = …)"),
+    ] {
+        let errors = errors(text);
+        assert!(errors.len() == 1 && errors[0].contains(hint), "{errors:?}");
+    }
+}
+
+#[test]
 fn one_mistake_is_one_error_and_hides_no_other() {
     assert_eq!(errors("x = nope; y = x + 1; cube(y); for (i = [0 : 9]) cube(y); cube(nope2);").len(), 2);
     assert_eq!(errors("function f(x) = x + z; a = [for (i = [0 : 9]) f(i)];").len(), 1);

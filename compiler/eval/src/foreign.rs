@@ -1,0 +1,67 @@
+//! What other languages and libraries call what there is here: hints for names that are unknown, but no mistypings.
+
+/// Their modules, in small letters without `_`, and what to write instead.
+const MODULES: [(&[&str], &str); 11] = [
+    (
+        &["smoothunion", "roundunion", "softunion", "unionround", "blend", "smin", "fillet", "filletunion"],
+        "`union(r = …)` joins its children by a fillet of that radius",
+    ),
+    (
+        &["smoothdifference", "rounddifference", "differenceround", "smoothsubtraction", "filletdifference"],
+        "`difference(r = …)` rounds the edges of what is cut, by a fillet of that radius",
+    ),
+    (
+        &["smoothintersection", "roundintersection", "intersectionround", "filletintersection"],
+        "`intersection(r = …)` rounds its edges by a fillet of that radius",
+    ),
+    (&["chamferunion", "unionchamfer"], "`union(r = …, joint = \"chamfer\")` joins its children by a chamfer"),
+    (
+        &["roundedcube", "roundcube", "cuberound", "roundedbox", "roundbox", "cuboid"],
+        "`cube(…, r = …)` has edges rounded by that radius",
+    ),
+    (&["roundedcylinder", "roundcylinder", "cyl"], "`cylinder(…, edge = …)` has edges rounded by that radius"),
+    (&["roundedsquare", "roundedrectangle", "roundedrect"], "`square(…, r = …)` has corners rounded by that radius"),
+    (&["box", "block", "cubic"], "a box is written `cube([…])`"),
+    (&["move", "shift"], "it is called `translate` here"),
+    (&["subtract", "subtraction", "cut", "minus"], "it is called `difference` here"),
+    (&["intersect", "and"], "it is called `intersection` here"),
+];
+
+/// Their parameters, and what these may be called here, the likeliest first.
+const PARAMETERS: [(&[&str], &[&str]); 7] = [
+    (&["radius", "rad"], &["r"]),
+    (&["rounding", "fillet", "round", "smooth", "blend", "k"], &["edge", "r"]),
+    (&["chamfer", "profile"], &["joint"]),
+    (&["diameter", "dia"], &["d"]),
+    (&["height", "length", "l"], &["h", "height"]),
+    (&["centre", "centered", "centred"], &["center"]),
+    (&["dimensions", "dim", "dims"], &["size"]),
+];
+
+/// How to write what a module of another language is for.
+pub(crate) fn module_hint(name: &str) -> Option<String> {
+    let name = name.replace('_', "").to_ascii_lowercase();
+    let (_, hint) = MODULES.iter().find(|(names, _)| names.contains(&&*name))?;
+    Some((*hint).to_owned())
+}
+
+/// Which of the known parameters another language's parameter corresponds to.
+pub(crate) fn parameter_hint<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+    let (_, ours) = PARAMETERS.iter().find(|(names, _)| names.contains(&name))?;
+    let known: Vec<&str> = known.collect();
+    let meant = ours.iter().find(|ours| known.contains(ours))?;
+    Some(format!("did you mean `{meant}`?"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn foreign_parameters_are_hinted_at_where_there_is_such_a_one() {
+        let hint = |name: &str, known: &[&'static str]| parameter_hint(name, known.iter().copied());
+        assert_eq!(hint("radius", &["r", "joint"]).as_deref(), Some("did you mean `r`?"));
+        assert_eq!(hint("rounding", &["h", "r", "edge"]).as_deref(), Some("did you mean `edge`?"));
+        assert_eq!(hint("radius", &["v"]), None);
+    }
+}
