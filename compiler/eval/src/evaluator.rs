@@ -55,6 +55,8 @@ pub(crate) struct Evaluator<'t> {
     pub(crate) functions: FxHashMap<&'static str, BuiltIn>,
     /// The children that instances of user modules were given.
     pub(crate) children: Vec<Children<'t>>,
+    /// Whether all that counts of the solids being built is their convex hull.
+    pub(crate) only_hull: bool,
     /// The calls of functions and instances of modules under way, the innermost last.
     pub(crate) calls: Vec<Call>,
     /// The names of the user modules whose instances are under way.
@@ -120,6 +122,7 @@ impl<'t> Evaluator<'t> {
             random: Random::default(),
             functions: functions::by_name(),
             children: Vec::new(),
+            only_hull: false,
             calls: Vec::new(),
             modules: Vec::new(),
             undecided: Vec::new(),

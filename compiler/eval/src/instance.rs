@@ -94,8 +94,11 @@ impl<'t> Evaluator<'t> {
         self.enter(instance.head)?;
         let order = self.instances;
         self.instances += 1;
-        let (mark, calls) = (self.specials.mark(), self.calls.len());
+        let (mark, calls, only_hull) = (self.specials.mark(), self.calls.len(), self.only_hull);
+        // What is shown alone is not part of any hull around it.
+        self.only_hull &= !instance.modifiers.root;
         let result = self.dispatched(instance, scope);
+        self.only_hull = only_hull;
         self.specials.restore(mark);
         self.calls.truncate(calls);
         self.leave();
@@ -312,7 +315,10 @@ impl<'t> Evaluator<'t> {
             }
         }
         arguments.retain(|argument| argument.name.as_ref().is_none_or(|name| !Specials::is_special(&name.node)));
+        let only_hull = self.only_hull;
+        self.only_hull = geometry::only_hull_counts(&instance.name.node, only_hull);
         let children = self.block(&instance.children, scope, None)?;
+        self.only_hull = only_hull;
         self.built_in_module(instance, &instance.name.node, arguments, children, scope)
     }
 
@@ -327,7 +333,7 @@ impl<'t> Evaluator<'t> {
         let sides = self.sides()?;
         let depth = 1 + children.iter().map(|child| child.depth).max().unwrap_or(0);
         let children = children.into_iter().map(|child| child.solid).collect();
-        let call = geometry::Call { name, head: instance.head, arguments, sides, children };
+        let call = geometry::Call { name, head: instance.head, arguments, sides, only_hull: self.only_hull, children };
         let mut reports = Vec::new();
         let solid = geometry::build(call, &self.settings, &mut reports);
         reports.into_iter().for_each(|report| self.warn(report));

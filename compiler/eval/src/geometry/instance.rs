@@ -34,6 +34,8 @@ pub(super) struct Instance<'a> {
     pub(super) number_of_sides: Value,
     /// What `$fn` does.
     pub(super) facets: Facets,
+    /// Whether all that counts of the solid is its convex hull.
+    pub(super) only_hull: bool,
     /// What the children came to.
     pub(super) children: Vec<Arc<Solid>>,
     pub(super) arguments: Vec<Bound>,
@@ -55,6 +57,7 @@ impl<'a> Instance<'a> {
             head: call.head,
             number_of_sides: call.sides,
             facets,
+            only_hull: call.only_hull,
             children: call.children,
             arguments,
             diagnostics,

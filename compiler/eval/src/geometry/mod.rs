@@ -31,6 +31,7 @@ mod testing;
 mod tests;
 mod transforms;
 mod unsupported;
+mod vectors;
 mod witnesses;
 
 use std::sync::Arc;
@@ -43,6 +44,7 @@ use crate::value::Value;
 
 pub(crate) use booleans::union_of;
 pub use facets::Facets;
+pub(crate) use hull::only_hull_counts;
 
 use instance::{Instance, Module};
 
@@ -56,6 +58,8 @@ pub(crate) struct Call<'a> {
     pub(crate) arguments: Vec<Argument>,
     /// `$fn` as it is for this instance: the number of sides of curves. (`$fa` and `$fs` never make facets.)
     pub(crate) sides: Value,
+    /// Whether all that counts of the solid is its convex hull.
+    pub(crate) only_hull: bool,
     /// What the children came to, in order, the empty ones included (they count as operands).
     pub(crate) children: Vec<Arc<Solid>>,
 }

@@ -1,4 +1,6 @@
-//! `polyhedron`, as far as it is convex: then its corners alone make it.
+//! `polyhedron`, as far as it is convex or only its hull counts: then its corners alone make it.
+
+use std::sync::Arc;
 
 use chiaro_solid::{Scalar, Solid, SolidKind};
 use chiaro_syntax::{Diagnostic, Span};
@@ -7,6 +9,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::arguments::numbers;
 use super::instance::{Instance, Module, error};
 use super::make::empty;
+use super::vectors::{Point, cross, dot, length, normalised, sub};
 use super::{Built, Stop, decide};
 use crate::value::Value;
 
@@ -16,14 +19,15 @@ pub(super) const MODULES: &[Module] =
 /// How far a corner may be above the plane of a face, relative to the polyhedron's size: dumps round to six digits.
 const TOLERANCE: f64 = 1e-5;
 
-type Point = [f64; 3];
-
 fn polyhedron(instance: &mut Instance) -> Built {
     instance.without_children();
     let points = read_points(instance)?;
     let faces = read_faces(instance, points.len())?;
     let used: Vec<Point> = used_points(&points, &faces);
     let Some(size) = size(&used) else { return Ok(empty(instance.head)) };
+    if instance.only_hull {
+        return Ok(corners_hull(&used, instance.head));
+    }
     let tolerance = TOLERANCE * size;
     let mut is_flat = true;
     for face in &faces {
@@ -41,8 +45,12 @@ fn polyhedron(instance: &mut Instance) -> Built {
     if !is_closed(&points, &faces, tolerance) {
         return Err(open(instance.head));
     }
+    Ok(corners_hull(&used, instance.head))
+}
+
+fn corners_hull(points: &[Point], span: Span) -> Arc<Solid> {
     let corner = |point: &Point| (point.map(Scalar::from), Scalar::ZERO);
-    Ok(Solid::new(SolidKind::SphereHull(used.iter().map(corner).collect()), instance.head))
+    Solid::new(SolidKind::SphereHull(points.iter().map(corner).collect()), span)
 }
 
 fn concave(span: Span) -> Stop {
@@ -170,20 +178,8 @@ fn plane(points: &[Point], face: &[usize]) -> Option<(Point, Point)> {
     let origin = points[*face.first()?];
     let pairs = face.iter().zip(face.iter().cycle().skip(1));
     let normal = pairs.fold([0.0; 3], |sum: Point, (a, b)| {
-        let (a, b) = (sub(points[*a], origin), sub(points[*b], origin));
-        std::array::from_fn(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            sum[i] + a[j] * b[k] - a[k] * b[j]
-        })
+        let area = cross(sub(points[*a], origin), sub(points[*b], origin));
+        std::array::from_fn(|axis| sum[axis] + area[axis])
     });
-    let length = dot(normal, normal).sqrt();
-    (length > 0.0).then(|| (origin, normal.map(|c| c / length)))
-}
-
-fn sub(a: Point, b: Point) -> Point {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
+    (length(normal) > 0.0).then(|| (origin, normalised(normal)))
 }

@@ -63,7 +63,8 @@ fn instantiate(instance: &Instance, settings: &Settings, warnings: &mut Vec<Diag
     let arguments: Vec<Argument> = instance.arguments.iter().map(argument).collect();
     let number = arguments.iter().find(|argument| argument.name.as_ref().is_some_and(|name| &*name.node == "$fn"));
     let sides = number.map_or(Value::Undef, |argument| argument.value.clone());
-    let call = Call { name: &instance.name.node, head: instance.head, arguments, sides, children };
+    let only_hull = false;
+    let call = Call { name: &instance.name.node, head: instance.head, arguments, sides, only_hull, children };
     build(call, settings, warnings).unwrap_or_else(|| panic!("there is no module `{}`", instance.name.node))
 }
 

@@ -1,6 +1,6 @@
 //! What programs mean.
 
-use super::{echo, run, run_with, value};
+use super::{echo, errors, run, run_with, value};
 
 #[test]
 fn operators_follow_openscad() {
@@ -142,4 +142,17 @@ fn definitions_from_outside_replace_values() {
     assert_eq!(run("sise", "3").errors, ["sise = 3;: the scene has no variable `sise` to set (did you mean `size`?)"]);
     assert_eq!(run("size", "3; cube(1)").errors.len(), 1);
     assert!(!run("size", "3 +").errors.is_empty());
+}
+
+#[test]
+fn a_polyhedron_in_a_hull_is_its_corners() {
+    let flat = "polyhedron([[0, 0, 0], [2, 0, 0], [0, 2, 0]], [[0, 1, 2]]);";
+    let two = format!("module m() {flat} hull() {{ m(); for (i = [1]) translate([0, 0, i]) m(); }}");
+    let prism = "sphere_hull (0 0 0) 0, (2 0 0) 0, (0 2 0) 0, (0 0 1) 0, (2 0 1) 0, (0 2 1) 0\n";
+    assert_eq!(run(&two).solid.as_deref(), Some(prism));
+    assert_eq!(run(&format!("hull() {flat}")).solid.as_deref(), Some("empty\n"));
+    let open = "polyhedron([[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2]], [[0, 1, 2], [0, 3, 1]]);";
+    for text in [format!("hull() difference() {{ {open} sphere(1); }}"), format!("hull() {{ sphere(1); !{open} }}")] {
+        assert_eq!(errors(&text).len(), 1, "{text}");
+    }
 }
