@@ -13,6 +13,7 @@ mod shape;
 mod sphere_hull;
 mod warp;
 
+use std::rc::Rc;
 use std::sync::Arc;
 
 use chiaro_solid::{Dimension, Solid, SolidKind};
@@ -50,7 +51,7 @@ struct Lowering {
     lowered: FxHashMap<(*const Solid, u32), Option<NodeId>>,
     contexts: u32,
     /// The contexts in which solids are measured in their own coordinates: in space and in the plane.
-    probes: Option<[Context; 2]>,
+    probes: Option<Rc<[Context; 2]>>,
     diagnostics: Vec<Diagnostic>,
     /// What has been said, so that nothing is said twice.
     said: FxHashSet<(Option<Span>, String)>,
@@ -156,17 +157,18 @@ impl Lowering {
 
     /// The solid in its own coordinates, to measure it.
     fn probe(&mut self, solid: &Arc<Solid>) -> Option<NodeId> {
-        let [space, plane] = match self.probes.take() {
-            Some(probes) => probes,
+        let probes = match &self.probes {
+            Some(probes) => probes.clone(),
             None => {
                 let probe = |context: Context| Context { painted: true, probe: true, ..context };
-                [probe(self.context(WORLD)), probe(self.slice_of_world())]
+                let probes = Rc::new([probe(self.context(WORLD)), probe(self.slice_of_world())]);
+                // Probes within probes need the same contexts, lest what is nested be measured again at each level.
+                self.probes.insert(probes).clone()
             }
         };
-        let context = if solid.dimension() == Some(Dimension::Plane) { &plane } else { &space };
-        let node = self.lower(solid, context);
-        self.probes = Some([space, plane]);
-        node
+        let [space, plane] = &*probes;
+        let context = if solid.dimension() == Some(Dimension::Plane) { plane } else { space };
+        self.lower(solid, context)
     }
 
     /// The context of a plane scene.

@@ -18,6 +18,9 @@ use crate::hull::{self, Hull, Vec3, add, cross, dot, hull, length, scale, sub};
 /// More spheres of different radii than this are refused: finding their edges takes the third power of the number.
 const MOST_UNEQUAL: usize = 200;
 
+/// Spheres whose centres are nearer than this, in millimetres, count as concentric.
+const LEAST_APART: f64 = 1e-9;
+
 /// A sphere of constant numbers.
 type Sphere = (Vec3, f64);
 
@@ -73,8 +76,15 @@ impl Lowering {
     ) -> NodeId {
         let along = [0, 1, 2].map(|i| to[i].clone() - from[i].clone());
         let squares = along.iter().map(|component| component.clone() * component.clone());
-        let height = squares.fold(Scalar::ZERO, |sum, square| sum + square).sqrt().max(Scalar::from(1e-9));
-        let direction = along.map(|component| component / height.clone());
+        let apart = squares.fold(Scalar::ZERO, |sum, square| sum + square).sqrt();
+        let height = apart.clone().max(Scalar::from(LEAST_APART));
+        // Of concentric spheres any direction will do.
+        let concentric = Scalar::apply(Function::Less, vec![apart, height.clone()]);
+        let mut axis = [Scalar::ZERO, Scalar::ZERO, Scalar::ONE].into_iter();
+        let direction = along.map(|component| {
+            let upwards = axis.next().unwrap_or(Scalar::ZERO);
+            Scalar::apply(Function::Select, vec![concentric.clone(), upwards, component / height.clone()])
+        });
         let here = self.derive(context, |here| here.since = upright_to(direction, from));
         self.shape(&rows::ROUND_CONE, &[bottom.clone(), top.clone(), height], &here, span)
     }

@@ -183,6 +183,33 @@ fn hulls_of_spheres() {
 }
 
 #[test]
+fn hulls_of_concentric_spheres_are_the_largest() {
+    let ball = |x: Scalar, radius: f64| ([x, Scalar::ZERO, Scalar::ZERO], Scalar::from(radius));
+    let hull = |balls: Vec<_>| solid(SolidKind::SphereHull(balls));
+    let around = [[0.0, 0.0, 50.0], [0.0, 50.0, 0.0], [50.0, 0.0, 0.0]];
+    let two = hull(vec![ball(Scalar::ZERO, 2.0), ball(Scalar::ZERO, 3.0)]);
+    assert_near(&distances(&two, around), &[47.0; 3]);
+    let inner = hull(vec![ball(Scalar::ZERO, 5.0), ball(Scalar::ZERO, 1.0), ball(Scalar::ONE, 2.0)]);
+    assert_near(&distances(&inner, around), &[45.0; 3]);
+    // Two that meet for one value of a live number.
+    let live = Scalar::parameter(ParameterId(0), Interval::new(0.0, 10.0));
+    let graph = quiet(&hull(vec![ball(Scalar::ZERO, 2.0), ball(live, 2.0)]));
+    for (x, expected) in [(0.0, [48.0, 48.0, 48.0]), (10.0, [48.0, 48.0, 38.0])] {
+        let evaluator = Evaluator::new(&graph, &[x]);
+        assert_near(&around.map(|point| evaluator.distance(point)), &expected);
+    }
+}
+
+#[test]
+fn nested_warps_are_measured_once_each() {
+    let mut root = shape(&rows::BOX, &[1.0; 3]);
+    for _ in 0..40 {
+        root = solid(SolidKind::Twist(Scalar::from(1e-14), root));
+    }
+    assert_near(&distances(&root, [[0.0, 0.0, 3.0]]), &[2.0]);
+}
+
+#[test]
 fn a_fillet_between_walls_is_the_circle_of_its_radius() {
     let wall = |x: f64, y: f64| moved([x, y, 0.0], shape(&rows::BOX, &[5.0, 5.0, 50.0]));
     let joint = Joint { profile: Profile::Fillet, radius: Scalar::from(2.0) };
