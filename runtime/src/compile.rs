@@ -1,6 +1,9 @@
 //! Compiling a scene from the command line, with its diagnostics reported.
 
+use std::process::ExitCode;
+
 use anyhow::Result;
+use chiaro_compiler::syntax::Sources;
 use chiaro_compiler::{Compilation, Facets, Options, Scene, shader};
 
 use crate::arguments::{FacetPolicy, Global, SceneArguments};
@@ -26,6 +29,17 @@ pub(crate) fn compilation(arguments: &SceneArguments, global: &Global) -> Result
     let compilation = chiaro_compiler::compile(&FileWorld::new(), &arguments.file.to_string_lossy(), &options);
     terminal::report(&compilation.sources, &compilation.diagnostics, global)?;
     Ok(compilation)
+}
+
+/// What a command came to that drew the scene. One that fits into no shader is reported as the compiler's errors are.
+pub(crate) fn drawn(result: Result<ExitCode>, sources: &Sources, global: &Global) -> Result<ExitCode> {
+    match result.as_ref().err().and_then(|error| error.downcast_ref()) {
+        Some(chiaro_render::Error::Scene(diagnostic)) => {
+            terminal::report(sources, std::slice::from_ref(&**diagnostic), global)?;
+            Ok(ExitCode::FAILURE)
+        }
+        _ => result,
+    }
 }
 
 /// The scene's shader code. None means that an error was reported.

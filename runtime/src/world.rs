@@ -2,6 +2,7 @@
 
 use std::env;
 use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use chiaro_compiler::World;
@@ -44,10 +45,14 @@ impl World for FileWorld {
         if metadata.is_dir() {
             return Err("it is a folder".to_owned());
         }
-        if metadata.len() > MAX_BYTES {
+        // Pipes and devices don't say how long they are.
+        let mut bytes = Vec::new();
+        let file = fs::File::open(name).map_err(|error| reason(&error))?;
+        file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|error| reason(&error))?;
+        if bytes.len() as u64 > MAX_BYTES {
             return Err(format!("it is larger than {} MB", MAX_BYTES >> 20));
         }
-        fs::read(name).map_err(|error| reason(&error))
+        Ok(bytes)
     }
 }
 

@@ -89,6 +89,17 @@ fn frames_differ_also_where_the_clock_decides_the_structure() {
     assert!(frames[0] != frames[1]);
 }
 
+/// So is the camera, if the clock moves it.
+#[test]
+fn the_camera_moves_also_where_the_clock_decides_the_structure() {
+    let folder =
+        Folder::new().with("turn.csg", "$vpr = [60, 0, 180 * $t]; for (i = [0 : floor($t)]) cube([20, 5, 5]);");
+    let arguments = ["render", "turn.csg", "-o", "f.png", "--size", "48x36", "--samples", "2", "--frames", "2"];
+    succeeded(folder.run(&arguments));
+    let frames = ["f_0.png", "f_1.png"].map(|name| fs::read(folder.path(name)).expect("a frame"));
+    assert!(frames[0] != frames[1]);
+}
+
 #[test]
 fn a_picture_that_fails_leaves_no_file_and_keeps_the_old_one() {
     let folder = Folder::new().with("bad.csg", "cube(;").with("old.png", "precious");
@@ -152,6 +163,19 @@ fn errors_say_where_and_how_to_mend_them() {
     assert_eq!((&object["severity"], &object["place"]["line"]), (&Value::from("error"), &Value::from(2)));
 }
 
+/// What only the shader has no room for is said as the compiler says things, whichever command asks for it.
+#[test]
+fn scenes_too_large_to_draw_are_errors_with_a_place() {
+    let text = "for (i = [1 : 25000]) translate([3 * i, 0, 0]) sphere(i);";
+    let folder = Folder::new().with("many.csg", text).with("p.jsonl", "{\"p\":[5,0,0]}\n");
+    let (picture, points) = (["-o", "a.png"], ["--points", "p.jsonl", "--gpu"]);
+    for (command, arguments) in [("check", &[][..]), ("render", &picture[..]), ("distance", &points[..])] {
+        let output = folder.run(&[&[command, "many.csg"], arguments].concat());
+        assert_eq!(output.status.code(), Some(1), "{command}");
+        assert!(stderr(&output).contains("many.csg:1:1"), "{command}: {}", stderr(&output));
+    }
+}
+
 #[test]
 fn definitions_set_parameters() {
     let folder = Folder::new().with("a.csg", "r = 1; // [1:10]\nsphere(r);\n").with("p.jsonl", "{\"p\":[20,0,0]}\n");
@@ -194,6 +218,15 @@ fn hostile_input_is_an_error() {
         assert!(text.contains("error") && !text.contains("panicked"), "{name}: {text}");
         assert!(text.len() < 200_000, "{name}: {} bytes of errors", text.len());
     }
+}
+
+/// A device that never ends is read no further than a scene may be long.
+#[cfg(target_os = "linux")]
+#[test]
+fn endless_files_are_refused() {
+    let output = Folder::new().run(&["check", "/dev/zero"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("larger than"), "{}", stderr(&output));
 }
 
 /// Numbers that make no solid leave it out with a warning, as OpenSCAD does; they are no reason to fail.

@@ -23,14 +23,19 @@ struct Line {
 }
 
 pub(crate) fn run(arguments: &Distance, global: &Global) -> Result<ExitCode> {
-    let Some(scene) = compile::scene(&arguments.scene, global)? else { return Ok(ExitCode::FAILURE) };
+    let compilation = compile::compilation(&arguments.scene, global)?;
+    let Some(scene) = &compilation.scene else { return Ok(ExitCode::FAILURE) };
+    compile::drawn(answer(scene, arguments, global), &compilation.sources, global)
+}
+
+fn answer(scene: &Scene, arguments: &Distance, global: &Global) -> Result<ExitCode> {
     let points = read_points(&arguments.points, scene.dimension(), global)?;
     let distances = if arguments.gpu {
         let gpu = Gpu::new(&preference(&arguments.adapter))?;
         let distances = chiaro_render::distances(&gpu, &scene.graph, &scene.defaults(), &points)?;
         distances.into_iter().map(f64::from).collect()
     } else {
-        on_cpu(&scene, &points, global)
+        on_cpu(scene, &points, global)
     };
 
     let lipschitz = scene.graph.facts[scene.graph.root.0 as usize].lipschitz;

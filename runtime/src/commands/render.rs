@@ -19,9 +19,14 @@ const CLOCK: &str = "$t";
 
 pub(crate) fn run(arguments: &Render, global: &Global) -> Result<ExitCode> {
     let format = Format::of(&arguments.output)?;
-    let Some(scene) = compile::scene(&arguments.scene, global)? else { return Ok(ExitCode::FAILURE) };
+    let compilation = compile::compilation(&arguments.scene, global)?;
+    let Some(scene) = &compilation.scene else { return Ok(ExitCode::FAILURE) };
+    compile::drawn(draw(scene, arguments, format, global), &compilation.sources, global)
+}
+
+fn draw(scene: &Scene, arguments: &Render, format: Format, global: &Global) -> Result<ExitCode> {
     let gpu = Gpu::new(&preference(&arguments.adapter))?;
-    let mut studio = Studio::new(&gpu, &scene, arguments)?;
+    let mut studio = Studio::new(&gpu, scene, arguments)?;
 
     let frames = arguments.frames.unwrap_or(1);
     let progress = terminal::progress(global, u64::from(frames) * u64::from(arguments.samples), "samples");
@@ -32,7 +37,7 @@ pub(crate) fn run(arguments: &Render, global: &Global) -> Result<ExitCode> {
                 studio.set_time(time)?;
             } else if frame > 0 {
                 let Some(scene) = scene_at(time, &arguments.scene, global)? else { return Ok(ExitCode::FAILURE) };
-                studio.replace(&gpu, &scene)?;
+                studio.replace(&gpu, &scene, arguments)?;
             }
         }
         studio.draw(arguments.samples, &progress)?;
@@ -54,6 +59,11 @@ fn scene_at(time: f64, arguments: &SceneArguments, global: &Global) -> Result<Op
     compile::scene(&arguments, &Global { quiet: true, ..*global })
 }
 
+/// The camera that the command line asks for, else the scene's.
+fn camera(scene: &Scene, arguments: &Render) -> Camera {
+    arguments.view.map_or_else(|| scene.camera.clone(), |view| view.apply(&scene.camera))
+}
+
 /// The adapter that the command line asks for.
 pub(crate) fn preference(arguments: &AdapterArguments) -> Preference {
     arguments.adapter.clone().map_or(Preference::Any, Preference::Named)
@@ -65,6 +75,8 @@ struct Studio {
     /// The box that is framed where the camera leaves something open.
     frame: Bounds,
     aspect: f64,
+    /// The first view: the lights stand as it sees them.
+    first_view: View,
     floor: Floor,
     /// The live parameters' values.
     values: Vec<f64>,
@@ -76,7 +88,7 @@ struct Studio {
 impl Studio {
     fn new(gpu: &Gpu, scene: &Scene, arguments: &Render) -> Result<Self> {
         let graph = scene.picture();
-        let camera = arguments.view.map_or_else(|| scene.camera.clone(), |view| view.apply(&scene.camera));
+        let camera = camera(scene, arguments);
         let values = scene.defaults();
         let (width, height) = arguments.size;
         let aspect = f64::from(width) / f64::from(height);
@@ -95,7 +107,7 @@ impl Studio {
         let view = View::framing(&camera, &values, &frame, aspect);
         let mut picture = Picture::new(gpu, &model, view, [width, height])?;
         picture.set_floor(floor)?;
-        Ok(Self { camera, frame, aspect, floor, values, clock, picture })
+        Ok(Self { camera, frame, aspect, first_view: view, floor, values, clock, picture })
     }
 
     /// Moves the clock, and the camera if the scene moves it. No pipeline is made for it.
@@ -112,11 +124,14 @@ impl Studio {
         self.clock.is_some()
     }
 
-    /// Draws another scene from the same place.
-    fn replace(&mut self, gpu: &Gpu, scene: &Scene) -> Result<()> {
-        let model = Model::new(gpu, &scene.picture(), &scene.defaults())?;
+    /// Draws another scene in the same frame, seen as it says.
+    fn replace(&mut self, gpu: &Gpu, scene: &Scene, arguments: &Render) -> Result<()> {
+        self.camera = camera(scene, arguments);
+        self.values = scene.defaults();
+        let model = Model::new(gpu, &scene.picture(), &self.values)?;
         let view = View::framing(&self.camera, &self.values, &self.frame, self.aspect);
-        self.picture = Picture::new(gpu, &model, view, self.picture.size())?;
+        self.picture = Picture::new(gpu, &model, self.first_view, self.picture.size())?;
+        self.picture.set_view(view)?;
         self.picture.set_floor(self.floor)?;
         Ok(())
     }
