@@ -49,7 +49,7 @@ impl<'t> Evaluator<'t> {
             if let Some(user) = self.user_function(name, scope)? {
                 return Ok(Callee::User(user));
             }
-            if let Some(built_in) = self.functions.get(&**name) {
+            if let Some(built_in) = self.functions.get(name) {
                 return Ok(Callee::BuiltIn(*built_in));
             }
             return Err(self.unknown_function(name, callee.span, scope));
@@ -83,12 +83,12 @@ impl<'t> Evaluator<'t> {
         let mut next = Some(scope);
         while let Some(scope) = next {
             if let Some(plan) = scope.plan.map(|id| self.plan(id)) {
-                if let Some(function) = plan.functions.get(&**name) {
+                if let Some(function) = plan.functions.get(name) {
                     return found(function, scope, None);
                 }
                 for file in plan.uses.iter().rev() {
                     let used = self.used_plan(*file);
-                    if let Some(function) = used.functions.get(&**name) {
+                    if let Some(function) = used.functions.get(name) {
                         let unit = self.unit(*file)?;
                         return found(function, &unit.scope.clone(), Some(unit));
                     }
@@ -114,7 +114,7 @@ impl<'t> Evaluator<'t> {
             let plan = self.plan(id);
             let used: Vec<_> = plan.uses.iter().map(|file| self.used_plan(*file)).collect();
             let functions = plan.functions.keys().chain(used.iter().flat_map(|plan| plan.functions.keys()));
-            known.extend(functions.map(|name| Name::from(*name)));
+            known.extend(functions.map(|name| (*name).clone()));
         }
         let mut error = Diagnostic::error(span, format!("there is no function `{name}`"));
         error.hints.extend(suggest::hint(name, known.iter().map(|name| &**name)));

@@ -16,7 +16,7 @@ use crate::live::Live;
 use crate::load::{FileIndex, Library};
 use crate::options::Options;
 use crate::plan::{Plan, plan};
-use crate::scope::{PlanId, Scope, Slot, Specials};
+use crate::scope::{PlanId, Scope, Slot, Specials, WellKnown};
 use crate::settings::Settings;
 use crate::value::{Trouble, Value};
 
@@ -50,9 +50,10 @@ pub(crate) struct Evaluator<'t> {
     pub(crate) options: &'t Options,
     pub(crate) settings: Settings,
     pub(crate) specials: Specials,
+    pub(crate) names: WellKnown,
     pub(crate) live: Live<'t>,
     pub(crate) random: Random,
-    pub(crate) functions: FxHashMap<&'static str, BuiltIn>,
+    pub(crate) functions: FxHashMap<Name, BuiltIn>,
     /// The children that instances of user modules were given.
     pub(crate) children: Vec<Children<'t>>,
     /// Whether all that counts of the solids being built is their convex hull.
@@ -118,6 +119,7 @@ impl<'t> Evaluator<'t> {
             options,
             settings: Settings { facets: options.facets },
             specials: Specials::default(),
+            names: WellKnown::default(),
             live,
             random: Random::default(),
             functions: functions::by_name(),

@@ -186,7 +186,7 @@ impl<'t> Evaluator<'t> {
     }
 
     /// The value of a variable, if there is one of that name.
-    pub(crate) fn known_variable(&mut self, name: &str, span: Span, scope: &Rc<Scope>) -> Result<Option<Value>> {
+    pub(crate) fn known_variable(&mut self, name: &Name, span: Span, scope: &Rc<Scope>) -> Result<Option<Value>> {
         let slot = if Specials::is_special(name) { self.specials.get(name).cloned() } else { scope.lookup(name) };
         match slot {
             Some(Some(value)) => return Ok(Some(value)),
@@ -194,7 +194,7 @@ impl<'t> Evaluator<'t> {
             None => {}
         }
         let is_dump = || Dialect::of_file(&self.sources.get(span.file).name) == Dialect::Dump;
-        Ok(match name {
+        Ok(match &**name {
             "$t" => Some(Value::Number(self.live.time())),
             "PI" => Some(Value::number(std::f64::consts::PI)),
             "inf" if is_dump() => Some(Value::number(f64::INFINITY)),

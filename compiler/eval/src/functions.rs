@@ -10,6 +10,7 @@ mod types;
 pub(crate) use random::Random;
 
 use chiaro_solid::Scalar;
+use chiaro_syntax::tree::Name;
 use chiaro_syntax::{Diagnostic, Span};
 use rustc_hash::FxHashMap;
 
@@ -47,8 +48,8 @@ pub(crate) const UNSUPPORTED: [&str; 7] =
     ["dxf_cross", "dxf_dim", "fontmetrics", "has_key", "import", "object", "textmetrics"];
 
 /// All built-in functions by name.
-pub(crate) fn by_name() -> FxHashMap<&'static str, BuiltIn> {
-    table().map(|function| (function.name, *function)).collect()
+pub(crate) fn by_name() -> FxHashMap<Name, BuiltIn> {
+    table().map(|function| (function.name.into(), *function)).collect()
 }
 
 /// The names of all built-in functions.

@@ -191,7 +191,7 @@ impl<'t> Evaluator<'t> {
     }
 
     /// The module of that name, if the scene defines one.
-    fn user_module(&mut self, name: &str, scope: &Rc<Scope>) -> Result<Option<UserModule<'t>>> {
+    fn user_module(&mut self, name: &Name, scope: &Rc<Scope>) -> Result<Option<UserModule<'t>>> {
         let mut next = Some(scope);
         while let Some(scope) = next {
             if let Some(plan) = scope.plan.map(|id| self.plan(id)) {
@@ -217,7 +217,8 @@ impl<'t> Evaluator<'t> {
         let arguments = self.arguments(&instance.arguments, around)?;
         self.set_specials(unit);
         self.modules.push(name.clone());
-        self.specials.set("$parent_modules".into(), Some(Value::number(self.modules.len() as f64)));
+        let depth = Value::number(self.modules.len() as f64);
+        self.specials.set(self.names.parent_modules.clone(), Some(depth));
         self.children.push(Children { statements: &instance.children, scope: around.clone() });
         self.calls.push(Call {
             name: name.clone(),
@@ -241,7 +242,7 @@ impl<'t> Evaluator<'t> {
         let number = self.children.len() - 1;
         let given = self.plan_id(self.children[number].statements);
         let count = self.plan(given).instances.len();
-        parameters.set("$children".into(), Some(Value::number(count as f64)));
+        parameters.set(self.names.children.clone(), Some(Value::number(count as f64)));
         let id = self.plan_id(&definition.body);
         let scope = Rc::new(parameters.of_block(id).with_children(number));
         let plan = self.plan(id);
@@ -346,7 +347,7 @@ impl<'t> Evaluator<'t> {
 
     /// `$fn`, the number of sides of curves.
     fn sides(&self) -> Result<Value> {
-        match self.specials.get("$fn") {
+        match self.specials.get(&self.names.sides) {
             Some(Some(value)) => Ok(value.clone()),
             Some(None) => Err(Halt::Reported),
             None => Ok(Value::Undef),
@@ -356,9 +357,9 @@ impl<'t> Evaluator<'t> {
     fn unknown_module(&mut self, name: &Name, span: Span, scope: &Rc<Scope>) -> Halt {
         let mut known: Vec<Name> = geometry::names().chain(CONTROL).map(Name::from).collect();
         for plan in scope.chain().filter_map(|scope| scope.plan).map(|id| self.plan(id)).collect::<Vec<_>>() {
-            known.extend(plan.modules.keys().map(|name| Name::from(*name)));
+            known.extend(plan.modules.keys().map(|name| (*name).clone()));
             for file in &plan.uses {
-                known.extend(self.used_plan(*file).modules.keys().map(|name| Name::from(*name)));
+                known.extend(self.used_plan(*file).modules.keys().map(|name| (*name).clone()));
             }
         }
         let mut error = Diagnostic::error(span, format!("there is no module `{name}`"));

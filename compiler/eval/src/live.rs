@@ -106,7 +106,7 @@ impl<'t> Live<'t> {
             _ => return number.clone(),
         };
         self.add(LiveParameter {
-            name: name.clone(),
+            name: name.clone().into(),
             default,
             range: slider.range.hull(Interval::point(default)),
             step: slider.step,

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use chiaro_syntax::tree::{Assignment, Expression, FunctionLiteral, Instance, ModuleDefinition, Statement};
+use chiaro_syntax::tree::{Assignment, Expression, FunctionLiteral, Instance, ModuleDefinition, Name, Statement};
 use chiaro_syntax::{Diagnostic, FileId, Sources};
 use rustc_hash::FxHashMap;
 
@@ -15,9 +15,9 @@ pub(crate) struct Plan<'t> {
     /// The variables in the order of their first assignments, each with the last expression assigned.
     pub(crate) assignments: Vec<PlannedAssignment<'t>>,
     /// The functions defined; of those with one name, the last.
-    pub(crate) functions: FxHashMap<&'t str, &'t Arc<FunctionLiteral>>,
+    pub(crate) functions: FxHashMap<&'t Name, &'t Arc<FunctionLiteral>>,
     /// The modules defined; of those with one name, the last.
-    pub(crate) modules: FxHashMap<&'t str, &'t ModuleDefinition>,
+    pub(crate) modules: FxHashMap<&'t Name, &'t ModuleDefinition>,
     /// The instances, without those disabled by `*`.
     pub(crate) instances: Vec<&'t Instance>,
     /// The files whose functions and modules are used; of those that define one name, the last.
@@ -60,7 +60,7 @@ struct Planner<'t, 'a> {
     sources: &'a Sources,
     plan: Plan<'t>,
     /// Where in the plan's assignments a variable is.
-    numbers: FxHashMap<&'t str, usize>,
+    numbers: FxHashMap<&'t Name, usize>,
     /// The files whose inclusion is under way.
     including: Vec<FileIndex>,
     /// How many statements may follow; files that include each other twice grow without bound else.
@@ -116,7 +116,7 @@ impl<'t> Planner<'t, '_> {
     }
 
     fn assignment(&mut self, assignment: &'t Assignment) {
-        let name: &'t str = &assignment.name.node;
+        let name: &'t Name = &assignment.name.node;
         let Some(at) = self.numbers.get(name) else {
             self.numbers.insert(name, self.plan.assignments.len());
             self.plan.assignments.push(PlannedAssignment { last: assignment, first: assignment });

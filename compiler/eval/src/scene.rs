@@ -234,7 +234,7 @@ impl<'t> Evaluator<'t> {
     }
 
     fn view_vector(&mut self, name: &str, span: Span) -> Option<[Scalar; 3]> {
-        let value = self.specials.get(name)?.clone()?;
+        let value = self.specials.get(&name.into())?.clone()?;
         if let Value::List(list) = &value
             && let [Value::Number(x), Value::Number(y), Value::Number(z)] = &list[..]
         {
@@ -245,7 +245,7 @@ impl<'t> Evaluator<'t> {
     }
 
     fn view_number(&mut self, name: &str, span: Span) -> Option<Scalar> {
-        match self.specials.get(name)?.clone()? {
+        match self.specials.get(&name.into())?.clone()? {
             Value::Number(number) => Some(number),
             other => {
                 self.warn(Diagnostic::warning(span, format!("`{name}` takes a number, not {}", other.described())));

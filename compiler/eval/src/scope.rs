@@ -68,13 +68,13 @@ impl Scope {
     }
 
     /// The variable of this very scope.
-    pub(crate) fn local(&self, name: &str) -> Option<Slot> {
+    pub(crate) fn local(&self, name: &Name) -> Option<Slot> {
         let variables = self.variables.borrow();
         variables.position(name).map(|at| variables.entries[at].1.clone())
     }
 
     /// The variable in this scope or the nearest one around it.
-    pub(crate) fn lookup(&self, name: &str) -> Option<Slot> {
+    pub(crate) fn lookup(&self, name: &Name) -> Option<Slot> {
         self.chain().find_map(|scope| scope.local(name))
     }
 
@@ -111,11 +111,11 @@ impl fmt::Debug for Scope {
 }
 
 impl Variables {
-    fn position(&self, name: &str) -> Option<usize> {
+    fn position(&self, name: &Name) -> Option<usize> {
         if self.entries.len() > LINEAR_SEARCH {
             self.index.get(name).copied()
         } else {
-            self.entries.iter().position(|(entry, _)| &**entry == name)
+            self.entries.iter().position(|(entry, _)| entry == name)
         }
     }
 
@@ -133,6 +133,22 @@ impl Variables {
     }
 }
 
+/// The names of the variables that the evaluator itself sets and asks for again and again.
+pub(crate) struct WellKnown {
+    /// `$fn`, the number of sides of curves.
+    pub(crate) sides: Name,
+    /// `$children`, the number of a module's children.
+    pub(crate) children: Name,
+    /// `$parent_modules`, the number of modules whose instances are under way.
+    pub(crate) parent_modules: Name,
+}
+
+impl Default for WellKnown {
+    fn default() -> Self {
+        Self { sides: "$fn".into(), children: "$children".into(), parent_modules: "$parent_modules".into() }
+    }
+}
+
 /// The variables that follow the calls: each name with its values, the current one last.
 #[derive(Default)]
 pub(crate) struct Specials {
@@ -143,11 +159,11 @@ pub(crate) struct Specials {
 impl Specials {
     /// Whether that name is of such a variable. The number of a module's children is known only in the module.
     pub(crate) fn is_special(name: &str) -> bool {
-        name.starts_with('$') && name != "$children"
+        name.as_bytes().first() == Some(&b'$') && name != "$children"
     }
 
     /// The current value.
-    pub(crate) fn get(&self, name: &str) -> Option<&Slot> {
+    pub(crate) fn get(&self, name: &Name) -> Option<&Slot> {
         self.values.get(name).and_then(|values| values.last())
     }
 

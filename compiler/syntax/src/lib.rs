@@ -9,6 +9,7 @@ pub mod tree;
 
 mod customizer;
 mod lexer;
+mod name;
 mod operator;
 mod parser;
 mod printer;

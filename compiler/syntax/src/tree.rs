@@ -9,13 +9,11 @@
 
 use std::sync::Arc;
 
+pub use crate::name::Name;
 use crate::source::{Span, Spanned};
 
 /// The deepest nesting of expressions, blocks and children that the parser accepts.
 pub const MAX_DEPTH: usize = 500;
-
-/// An identifier. Cloning it is cheap.
-pub type Name = Arc<str>;
 
 /// One parsed file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -198,7 +196,7 @@ pub enum ExpressionKind {
     /// `1.5`, `0x1F`; a sign is a [`Unary`](ExpressionKind::Unary).
     Number(f64),
     /// `"text"`, its escapes resolved.
-    String(Name),
+    String(Arc<str>),
     /// A variable.
     Name(Name),
     /// `[start : end]` or `[start : step : end]`

@@ -69,7 +69,7 @@ fn parent_module(evaluator: &mut Evaluator, call: &Invocation) -> Result<Value> 
     };
     let count = evaluator.modules.len();
     if number >= 0.0 && number < count as f64 {
-        return Ok(Value::String(evaluator.modules[count - 1 - number as usize].clone()));
+        return Ok(Value::String(evaluator.modules[count - 1 - number as usize].clone().into()));
     }
     let message = format!("there is no module {number} around this one: {count} are under way");
     evaluator.warn(Diagnostic::warning(call.span, message).with_label("this is undef"));

@@ -37,6 +37,7 @@ mod witnesses;
 use std::sync::Arc;
 
 use chiaro_solid::{Scalar, Solid};
+use chiaro_syntax::tree::Name;
 use chiaro_syntax::{Diagnostic, Span, Spanned};
 
 use crate::settings::Settings;
@@ -67,7 +68,7 @@ pub(crate) struct Call<'a> {
 /// An argument of a [`Call`].
 pub(crate) struct Argument {
     /// The parameter's name, if it was given, and its place.
-    pub(crate) name: Option<Spanned<Arc<str>>>,
+    pub(crate) name: Option<Spanned<Name>>,
     /// Its value.
     pub(crate) value: Value,
     /// Its value's place in the text.

@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use crate::string::unescape;
 use crate::token::TokenKind;
-use crate::tree::{ExpressionKind, Name};
+use crate::tree::ExpressionKind;
 
 impl Parser<'_> {
     pub(super) fn number(&mut self) -> ExpressionKind {
@@ -30,14 +30,14 @@ impl Parser<'_> {
             _ => &quoted[1..quoted.len() - 1],
         };
         if token.kind == TokenKind::RawString || !inside.contains(['\\', '\r', '\n']) {
-            return ExpressionKind::String(self.intern(inside));
+            return ExpressionKind::String(self.intern(inside).into());
         }
         let (file, reports, begin) = (self.file, &mut self.reports, token.range().start + 1);
         let value = unescape(inside, |range, message| {
             let span = Span::new(file, begin + range.start..begin + range.end);
             reports.push(Diagnostic::warning(span, message).with_hint("a backslash is written `\\\\`"));
         });
-        ExpressionKind::String(Name::from(value))
+        ExpressionKind::String(value.into())
     }
 }
 
