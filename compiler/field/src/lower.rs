@@ -17,7 +17,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use chiaro_solid::{Dimension, Solid, SolidKind};
-use chiaro_syntax::{Diagnostic, Span};
+use chiaro_syntax::{Diagnostic, Severity, Span};
 use chiaro_vocabulary::{Class, rows};
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -29,6 +29,9 @@ use context::Context;
 /// More nodes than this are refused: it is far beyond what any shader could hold, but within memory.
 const MOST_NODES: usize = 1 << 22;
 
+/// The greatest slope that a field may have: beyond it, values in a shader's precision say nothing.
+const STEEPEST: f64 = 1e9;
+
 /// The field graph of a scene, and what there is to say about it. If an error is among that, the graph lacks what
 /// the error is about.
 pub fn lower(root: &Arc<Solid>) -> (Graph, Vec<Diagnostic>) {
@@ -38,6 +41,9 @@ pub fn lower(root: &Arc<Solid>) -> (Graph, Vec<Diagnostic>) {
         Some(Dimension::Space) | None => lowering.context(WORLD),
     };
     let lowered = lowering.lower(root, &context);
+    if let Some(root) = lowered {
+        lowering.check_slopes(root);
+    }
     let Lowering { mut builder, diagnostics, .. } = lowering;
     let root = lowered.unwrap_or_else(|| builder.node(Node::Nothing, root.span, Class::Exact, 1.0));
     let root = normalise::normalised(&mut builder, root);
@@ -176,6 +182,16 @@ impl Lowering {
         let slice = self.builder.point(Point::Warp(&rows::SLICE, Vec::new(), WORLD));
         let context = self.context(slice);
         Context { plane: true, ..context }
+    }
+
+    /// Says where slopes multiply to more than can be drawn, none of them alone being too steep.
+    fn check_slopes(&mut self, root: NodeId) {
+        let is_too_steep = |id: &NodeId| self.builder.facts(*id).lipschitz > STEEPEST;
+        if is_too_steep(&root) && !self.diagnostics.iter().any(|said| said.severity == Severity::Error) {
+            let span = (0..=root.0).map(NodeId).find(is_too_steep).map(|id| self.builder.span(id));
+            let message = format!("twists in one another make distances more than {STEEPEST:e} times too long here");
+            self.say(Diagnostic::error(span, message).with_hint("twist less, or fewer things that are twisted"));
+        }
     }
 
     fn say(&mut self, diagnostic: Diagnostic) {

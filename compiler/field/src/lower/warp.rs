@@ -6,7 +6,7 @@ use chiaro_solid::{Scalar, Solid};
 use chiaro_syntax::{Diagnostic, Span};
 use chiaro_vocabulary::{Class, rows};
 
-use super::Lowering;
+use super::{Lowering, STEEPEST};
 use super::context::Context;
 use crate::graph::{Node, NodeId, Point};
 
@@ -86,6 +86,11 @@ impl Lowering {
             let message = format!("{what} may make distances any number of times too long");
             let hint = "keep the live numbers in it within smaller ranges, away from a height of zero";
             self.say(Diagnostic::error(span, message).with_hint(hint));
+            return None;
+        }
+        if slope > STEEPEST {
+            let message = format!("{what} makes distances more than {STEEPEST:e} times too long");
+            self.say(Diagnostic::error(span, message).with_hint("it takes more turns than can be drawn"));
             return None;
         }
         if slope > MUCH {

@@ -227,6 +227,14 @@ fn warnings_and_errors_name_what_is_wrong() {
         ["this twist makes distances 2.9 times too long here"]
     );
     assert_eq!(messages(&twist(shape(&rows::GYROID, &[3.0, 1.0]))), ["an endless solid can't be twisted"]);
+    let fast = |rate: f64, child| solid(SolidKind::Twist(Scalar::from(rate), child));
+    assert_eq!(
+        messages(&fast(1e12, shape(&rows::BOX, &[1.0; 3]))),
+        ["this twist makes distances more than 1e9 times too long"]
+    );
+    let within_each_other = fast(1e4, fast(1e4, fast(1e4, shape(&rows::BOX, &[1.0; 3]))));
+    let last = messages(&within_each_other).pop();
+    assert_eq!(last.unwrap(), "twists in one another make distances more than 1e9 times too long here");
     let torus = scaled([1.0, 1.0, 20.0], shape(&rows::TORUS, &[5.0, 1.0]));
     assert_eq!(messages(&torus), ["this stretches one direction 20.0 times more than another"]);
     let live = Scalar::parameter(ParameterId(0), Interval::new(1.0, 2.0));
