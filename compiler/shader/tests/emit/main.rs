@@ -507,6 +507,12 @@ fn what_cannot_be_emitted_is_an_error() {
     scene.union(balls);
     let error = splice(&scene.done(), Template::Library).expect_err("it is too large");
     assert!(error.message.starts_with("too many shapes"), "{}", error.message);
+    let mut scene = Scene::new();
+    scene.shape("sphere", &[1.0], PointId(0));
+    let mut graph = scene.done();
+    graph.facts[0].bounds = Bounds::centred([1e20; 3]);
+    let error = splice(&graph, Template::Library).expect_err("its squares are infinite");
+    assert!(error.message.starts_with("this reaches farther than 1e15 mm"), "{}", error.message);
 }
 
 #[test]
