@@ -120,7 +120,7 @@ impl<'t> Evaluator<'t> {
         let plan = self.plan(id);
         let scope = Rc::new(Scope::outermost(Some(id)));
         self.top_level(&plan, definitions, &scope)?;
-        let camera = self.camera(&plan)?;
+        let camera = self.camera(&plan, definitions);
         let children = self.instances(&plan, &scope, None)?;
         let built = self.union(children, Span::new(main.id, 0..0));
         let root = self.root.take().map_or(built.solid, |(_, root)| root);
@@ -216,12 +216,14 @@ impl<'t> Evaluator<'t> {
         Ok(unit)
     }
 
-    /// The view that the scene's top level sets.
-    fn camera(&mut self, plan: &Plan<'t>) -> Result<Camera> {
+    /// The view that the scene's top level sets, or a definition from outside.
+    fn camera(&mut self, plan: &Plan<'t>, definitions: &[Definition]) -> Camera {
         let mut camera = Camera::default();
-        for planned in &plan.assignments {
-            let name = &*planned.first.name.node;
-            let span = planned.value().span;
+        let own = plan.assignments.iter().map(|planned| (&*planned.first.name.node, planned.value().span));
+        let is_own = |name: &str| own.clone().any(|(own, _)| own == name);
+        let outside = definitions.iter().map(|definition| (definition.name.as_str(), definition.span));
+        let outside = outside.filter(|(name, _)| !is_own(name));
+        for (name, span) in own.clone().chain(outside) {
             match name {
                 "$vpt" => camera.target = self.view_vector(name, span),
                 "$vpr" => camera.rotation = self.view_vector(name, span),
@@ -230,7 +232,7 @@ impl<'t> Evaluator<'t> {
                 _ => {}
             }
         }
-        Ok(camera)
+        camera
     }
 
     fn view_vector(&mut self, name: &str, span: Span) -> Option<[Scalar; 3]> {
@@ -238,7 +240,8 @@ impl<'t> Evaluator<'t> {
         if let Value::List(list) = &value
             && let [Value::Number(x), Value::Number(y), Value::Number(z)] = &list[..]
         {
-            return Some([x.clone(), y.clone(), z.clone()]);
+            let numbers = [x.clone(), y.clone(), z.clone()];
+            return self.are_finite(&numbers, name, span).then_some(numbers);
         }
         self.warn(Diagnostic::warning(span, format!("`{name}` takes three numbers, not {}", value.described())));
         None
@@ -246,11 +249,20 @@ impl<'t> Evaluator<'t> {
 
     fn view_number(&mut self, name: &str, span: Span) -> Option<Scalar> {
         match self.specials.get(&name.into())?.clone()? {
-            Value::Number(number) => Some(number),
+            Value::Number(number) => self.are_finite(std::slice::from_ref(&number), name, span).then_some(number),
             other => {
                 self.warn(Diagnostic::warning(span, format!("`{name}` takes a number, not {}", other.described())));
                 None
             }
         }
+    }
+
+    /// Whether numbers of the view are finite; warns if not. Of live ones, that is taken for granted.
+    fn are_finite(&mut self, numbers: &[Scalar], name: &str, span: Span) -> bool {
+        let finite = numbers.iter().all(|number| number.constant().is_none_or(f64::is_finite));
+        if !finite {
+            self.warn(Diagnostic::warning(span, format!("`{name}` is not finite, so that it is left open")));
+        }
+        finite
     }
 }
