@@ -159,7 +159,7 @@ pub(crate) struct Distance {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
 
-    /// A file with one JSON object a line: {"p":[x,y,z]}, or two coordinates for a plane scene. Use - for standard
+    /// A file with one JSON object a line, `{"p":[x,y,z]}`, or two coordinates for a plane scene. Use - for standard
     /// input.
     #[arg(long, value_name = "POINTS")]
     pub(crate) points: PathBuf,
