@@ -16,9 +16,9 @@ mod warp;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use chiaro_solid::{Dimension, Solid, SolidKind};
+use chiaro_solid::{Dimension, Scalar, Solid, SolidKind};
 use chiaro_syntax::{Diagnostic, Severity, Span};
-use chiaro_vocabulary::{Class, rows};
+use chiaro_vocabulary::{Class, Row, rows};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::build::Builder;
@@ -119,8 +119,10 @@ impl Lowering {
                 Some(self.builder.node(Node::Paint(material, node), span, facts.class, facts.lipschitz))
             }
             SolidKind::Paint(_, child) => self.lower(child, context),
-            SolidKind::Offset(by, child) => self.offset(by, child, context, span),
-            SolidKind::Shell(thickness, child) => self.shell(thickness, child, context, span),
+            SolidKind::Offset(by, child) => self.adjusted((&rows::OFFSET, by), child, offset_class, context, span),
+            SolidKind::Shell(thickness, child) => {
+                self.adjusted((&rows::SHELL, thickness), child, shell_class, context, span)
+            }
             SolidKind::Twist(rate, child) => self.twist(rate, child, context, span),
             SolidKind::Extrude { height, twist, scale, child } => {
                 self.extrude([height, twist, &scale[0], &scale[1]], child, context, span)
@@ -130,35 +132,21 @@ impl Lowering {
         }
     }
 
-    fn offset(
+    /// A solid whose distance is changed by an adjustment of the table with one length; `class` says what is left of its
+    /// class.
+    fn adjusted(
         &mut self,
-        by: &chiaro_solid::Scalar,
+        (row, length): (&'static Row, &Scalar),
         child: &Arc<Solid>,
+        class: fn(Class, &Scalar) -> Class,
         context: &Context,
         span: Span,
     ) -> Option<NodeId> {
         let below = self.settled(context);
         let node = self.lower(child, &below)?;
         let facts = *self.builder.facts(node);
-        // Outside of what is shrunk, and inside of what is grown, another point of the surface may be nearer.
-        let class = if by.range().min < 0.0 { Class::Bound } else { facts.class.max(Class::ExactOutside) };
-        let arguments = vec![below.length(by)];
-        Some(self.builder.node(Node::Adjust(&rows::OFFSET, arguments, node), span, class, facts.lipschitz))
-    }
-
-    fn shell(
-        &mut self,
-        thickness: &chiaro_solid::Scalar,
-        child: &Arc<Solid>,
-        context: &Context,
-        span: Span,
-    ) -> Option<NodeId> {
-        let below = self.settled(context);
-        let node = self.lower(child, &below)?;
-        let facts = *self.builder.facts(node);
-        let class = if facts.class == Class::Exact { Class::ExactOutside } else { Class::Bound };
-        let arguments = vec![below.length(thickness)];
-        Some(self.builder.node(Node::Adjust(&rows::SHELL, arguments, node), span, class, facts.lipschitz))
+        let arguments = vec![below.length(length)];
+        Some(self.builder.node(Node::Adjust(row, arguments, node), span, class(facts.class, length), facts.lipschitz))
     }
 
     /// The solid in its own coordinates, to measure it.
@@ -199,4 +187,14 @@ impl Lowering {
             self.diagnostics.push(diagnostic);
         }
     }
+}
+
+/// Outside of what is shrunk, and inside of what is grown, another point of the surface may be nearer.
+fn offset_class(class: Class, by: &Scalar) -> Class {
+    if by.range().min < 0.0 { Class::Bound } else { class.max(Class::ExactOutside) }
+}
+
+/// Within the wall, another point of the surface may be nearer.
+fn shell_class(class: Class, _: &Scalar) -> Class {
+    if class == Class::Exact { Class::ExactOutside } else { Class::Bound }
 }

@@ -6,8 +6,8 @@ use chiaro_solid::{Scalar, Solid};
 use chiaro_syntax::{Diagnostic, Span};
 use chiaro_vocabulary::{Class, rows};
 
-use super::{Lowering, STEEPEST};
 use super::context::Context;
+use super::{Lowering, STEEPEST};
 use crate::graph::{Node, NodeId, Point};
 
 /// How far a solid reaches from the z axis, and what its values are. (Of a plane shape: from the origin.)
