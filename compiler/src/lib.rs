@@ -90,21 +90,23 @@ fn attempt(world: &dyn World, name: &str, options: &Options) -> Compilation {
         }
     };
     let main = sources.add(SourceFile::new(name, text));
-    with_deep_stack(|| {
+    let compiled = with_deep_stack(|| {
         let Evaluation { scene, mut diagnostics } = evaluate(world, &mut sources, main, options);
         let scene = scene.map(|evaluated| Scene::lower(evaluated, &mut diagnostics));
         Compilation { sources, diagnostics, scene }
+    });
+    compiled.unwrap_or_else(|error| {
+        let message = format!("the system refuses a thread with a stack of {STACK_BYTES} bytes: {error}");
+        let diagnostics = vec![Diagnostic::error(None, message)];
+        Compilation { sources: Sources::default(), diagnostics, scene: None }
     })
 }
 
-/// Runs `work` on a thread of its own whose stack fits the deepest program that the evaluator's limits allow.
-fn with_deep_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+/// Runs `work` on a thread of its own whose stack fits the deepest program that the evaluator's limits allow. An error
+/// if the system has no room for that.
+fn with_deep_stack<T: Send>(work: impl FnOnce() -> T + Send) -> std::io::Result<T> {
     std::thread::scope(|scope| {
-        let thread = std::thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, work);
-        match thread.map(|thread| thread.join()) {
-            Ok(Ok(value)) => value,
-            Ok(Err(panic)) => resume_unwind(panic),
-            Err(error) => panic!("the system refuses a thread with a stack of {STACK_BYTES} bytes: {error}"),
-        }
+        let thread = std::thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, work)?;
+        Ok(thread.join().unwrap_or_else(|panic| resume_unwind(panic)))
     })
 }
