@@ -2,13 +2,21 @@
 //!
 //! Marching divides by the root's constant, so one steep part would make every step short. Nothing between the root
 //! and the first joint or adjustment below it consumes a value as a length, so each steep part there is scaled by
-//! itself, and only rays that come near it march slowly.
+//! itself. That alone would make it look near from everywhere: it is also intersected with the box around it, whose
+//! distance is right, and so only rays that enter the box march slowly.
 
-use chiaro_solid::Scalar;
-use chiaro_vocabulary::rows;
+use chiaro_solid::{Affine, Scalar};
+use chiaro_syntax::Span;
+use chiaro_vocabulary::{Bounds, Class, rows};
 
 use crate::build::Builder;
-use crate::graph::{Node, NodeId};
+use crate::extent::WORLD;
+use crate::graph::{Node, NodeId, Operation};
+
+/// What is less steep is not worth a box.
+const STEEP: f64 = 1.25;
+/// Boxes are larger by this part of their diagonal: at the surface, what is in them counts and not they.
+const MARGIN: f64 = 1e-3;
 
 /// The node with all that is steeper than 1 scaled down below its hard Booleans, complements and paints.
 pub(super) fn normalised(builder: &mut Builder, root: NodeId) -> NodeId {
@@ -57,5 +65,21 @@ fn flattened(builder: &mut Builder, id: NodeId, normal: &[NodeId]) -> NodeId {
         }
         _ => Node::Adjust(&rows::SCALE, vec![Scalar::from(1.0 / facts.lipschitz)], id),
     };
-    builder.node(node, span, facts.class, 1.0)
+    let is_part = matches!(node, Node::Adjust(..));
+    let flat = builder.node(node, span, facts.class, 1.0);
+    match is_part && facts.lipschitz > STEEP && facts.bounds.is_finite() {
+        true => boxed(builder, flat, &facts.bounds, span),
+        false => flat,
+    }
+}
+
+/// The node within a box that is not empty.
+fn boxed(builder: &mut Builder, id: NodeId, bounds: &Bounds, span: Span) -> NodeId {
+    let bounds = bounds.inflate(MARGIN * bounds.diagonal());
+    let forward = Affine::translation(bounds.center().map(Scalar::from));
+    let back = Affine::translation(bounds.center().map(|coordinate| Scalar::from(-coordinate)));
+    let point = builder.affine(back, forward, WORLD);
+    let half_size = bounds.size().map(|edge| Scalar::from(0.5 * edge)).to_vec();
+    let around = builder.node(Node::Shape(&rows::BOX, half_size, point), span, Class::Exact, 1.0);
+    builder.node(Node::Boolean(Operation::Intersection, None, vec![id, around]), span, Class::Bound, 1.0)
 }

@@ -251,3 +251,16 @@ fn deep_trees_fit_on_small_stacks() {
     }
     assert_near(&distances(&root, [[15.0, 0.0, 0.0]]), &[3.0]);
 }
+
+#[test]
+fn what_is_steep_slows_nothing_that_is_far_from_it() {
+    let thread = extrude(10.0, 3600.0, [1.0; 2], moved([1.0, 0.0, 0.0], shape(&rows::CIRCLE, &[1.0])));
+    let ball = moved([100.0, 0.0, 0.0], shape(&rows::SPHERE, &[5.0]));
+    let (graph, diagnostics) = lower(&boolean(Boolean::Union, None, vec![thread, ball]));
+    assert_eq!(diagnostics.len(), 1, "the thread is warned of");
+    assert_eq!(graph.facts[graph.root.0 as usize].lipschitz, 1.0);
+    let evaluator = Evaluator::new(&graph, &[]);
+    let beside = evaluator.distance([-50.0, 0.0, 5.0]);
+    assert!((45.0..50.0).contains(&beside), "{beside}");
+    assert!(evaluator.distance([0.0, 0.0, 5.0]) <= 0.0);
+}
