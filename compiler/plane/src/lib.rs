@@ -14,6 +14,7 @@ mod minkowski;
 mod offset;
 mod overlay;
 mod recover;
+mod tangle;
 mod transform;
 
 pub use flatten::{DEFAULT_TOLERANCE, default_tolerance};

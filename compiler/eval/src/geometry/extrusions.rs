@@ -11,7 +11,7 @@ use super::decide::{self, Sign};
 use super::extent::{self, Extent};
 use super::instance::{Instance, Module, error};
 use super::make::{self, empty, half, is_empty, moved, radians, region, shape, transformed};
-use super::outline::{opened, outline};
+use super::outline::{grown_region, opened, outline};
 use super::pieces::{Ball, Prism};
 use super::{Built, Stop};
 
@@ -105,7 +105,7 @@ fn rounded_prism(instance: &mut Instance, height: Scalar, child: Arc<Solid>) -> 
     };
     let span = instance.place("r");
     let known = decide::constant(&radius, span, "the radius of an extrusion's edges")?;
-    let core = outline(&child)?.offset(-known, chiaro_plane::Join::Round);
+    let core = grown_region(&child, -known, chiaro_plane::Join::Round)?;
     if core.is_empty() {
         return Err(error(span, "edges of this radius do not fit the shape: it is narrower than twice the radius"));
     }

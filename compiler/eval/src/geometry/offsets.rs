@@ -10,7 +10,7 @@ use chiaro_vocabulary::Class;
 use super::exactness::{class, culprit};
 use super::instance::{Instance, Module};
 use super::make::{self, empty, is_empty, region};
-use super::outline::{filled, outline};
+use super::outline::{filled, grown_region, outline};
 use super::{Built, Stop, decide};
 
 pub(super) const MODULES: &[Module] = &[
@@ -29,7 +29,7 @@ fn offset(instance: &mut Instance) -> Built {
     };
     let join = if instance.flag("chamfer")? { Join::Chamfer } else { Join::SHARP };
     let by = decide::constant(&by, instance.place("delta"), "an offset with sharp corners")?;
-    Ok(region(outline(&child)?.offset(by, join), instance.head))
+    Ok(region(grown_region(&child, by, join)?, instance.head))
 }
 
 fn fill(instance: &mut Instance) -> Built {
@@ -86,7 +86,7 @@ pub(super) fn grown(by: Scalar, child: Arc<Solid>, span: Span) -> Built {
 
 fn grown_outline(by: &Scalar, child: &Solid, span: Span) -> Built {
     let by = decide::constant(by, span, "the offset of a plane shape that is made of others")?;
-    Ok(region(outline(child)?.offset(by, Join::Round), span))
+    Ok(region(grown_region(child, by, Join::Round)?, span))
 }
 
 /// The error that a distance is not exact enough.

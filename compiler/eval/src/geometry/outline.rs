@@ -10,22 +10,27 @@ use chiaro_vocabulary::Row;
 use super::instance::error;
 use super::{Stop, decide};
 
+/// The most crossings that outlines are worked out with, and the most edges that are grown: what is swept by edges close
+/// together crosses far more often than they do.
+const MOST_CROSSINGS: f64 = 2_000.0;
+const MOST_GROWN_EDGES: usize = 20_000;
+
 /// The outline of a plane shape.
 pub(super) fn outline(solid: &Solid) -> Result<Region, Stop> {
     match &solid.kind {
         SolidKind::Empty => Ok(Region::default()),
         SolidKind::Shape(row, arguments) => shape_outline(row, &known(arguments, solid.span)?, solid.span),
-        SolidKind::Region(region) => Ok((**region).clone()),
+        SolidKind::Region(region) => untangled(vec![(**region).clone()], solid.span).map(|mut one| one.remove(0)),
         SolidKind::Boolean { operation, joint: None, children } => {
             let outlines = children.iter().map(|child| outline(child)).collect::<Result<Vec<_>, _>>()?;
-            Ok(boolean(*operation, &outlines))
+            Ok(boolean(*operation, &untangled(outlines, solid.span)?))
         }
         SolidKind::Transform(map, child) => Ok(outline(child)?.transform(plane_rows(map, solid.span)?)),
         SolidKind::Paint(_, child) => outline(child),
-        SolidKind::Offset(by, child) => Ok(outline(child)?.offset(known_number(by, solid.span)?, Join::Round)),
+        SolidKind::Offset(by, child) => grown_region(child, known_number(by, solid.span)?, Join::Round),
         SolidKind::Shell(thickness, child) => {
-            let (half, child) = (0.5 * known_number(thickness, solid.span)?, outline(child)?);
-            Ok(child.offset(half, Join::Round).difference(&[child.offset(-half, Join::Round)]))
+            let half = 0.5 * known_number(thickness, solid.span)?;
+            Ok(grown_region(child, half, Join::Round)?.difference(&[grown_region(child, -half, Join::Round)?]))
         }
         SolidKind::Boolean { joint: Some(_), .. } => {
             Err(error(solid.span, "what is joined with a radius has no exact outline yet"))
@@ -33,6 +38,17 @@ pub(super) fn outline(solid: &Solid) -> Result<Region, Stop> {
         SolidKind::Slice(_) => Err(error(solid.span, "the cut through a solid has no exact outline yet")),
         _ => Err(error(solid.span, "this is no plane shape")),
     }
+}
+
+/// The outline of a plane shape, grown by a distance, or shrunk if that is negative.
+pub(super) fn grown_region(solid: &Solid, by: f64, join: Join) -> Result<Region, Stop> {
+    let region = outline(solid)?.normalized();
+    let edges = region.edges().count();
+    if edges > MOST_GROWN_EDGES {
+        let message = format!("this outline of {edges} edges is too fine to be grown or shrunk");
+        return Err(error(solid.span, message));
+    }
+    Ok(region.offset(by, join))
 }
 
 /// An outline without what no disc of that radius inside it reaches: its corners are rounded, its narrow parts gone.
@@ -46,6 +62,16 @@ pub(super) fn filled(region: &Region) -> Region {
     let contours = region.normalized().contours.into_iter().filter(outer);
     let parts: Vec<Region> = contours.map(|contour| Region { contours: vec![contour] }).collect();
     Region::union(&parts)
+}
+
+/// The outlines, unless they cross themselves and each other too often.
+fn untangled(outlines: Vec<Region>, span: Span) -> Result<Vec<Region>, Stop> {
+    let crossings = Region::crossings_estimate(&outlines);
+    if crossings > MOST_CROSSINGS {
+        let message = format!("this outline is too tangled: it crosses itself about {crossings:.0} times");
+        return Err(error(span, message));
+    }
+    Ok(outlines)
 }
 
 fn boolean(operation: Boolean, outlines: &[Region]) -> Region {
