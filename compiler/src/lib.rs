@@ -32,7 +32,8 @@ pub use scene::Scene;
 pub struct Compilation {
     /// Every file read, the scene's own first. Spans refer to these.
     pub sources: Sources,
-    /// Errors, warnings and notes, in the order of the text.
+    /// The output of `echo` in the order of execution, then errors, warnings and notes in the order of the text, then what
+    /// lowering has to say.
     pub diagnostics: Vec<Diagnostic>,
     /// The scene, if there is no error.
     pub scene: Option<Scene>,

@@ -16,7 +16,8 @@
 
 /// The β of the running mean of slopes.
 const RELAXATION: f32 = 0.3;
-/// Of one segment; few grazing rays come near it. All segments together stay far below lavapipe's limit of 65535.
+/// Of one segment; few grazing rays come near it. lavapipe ends all loops of an invocation together after 65535 rounds,
+/// those within the scene's distance included.
 const MAX_STEPS: u32 = 1500u;
 /// Of one path; more than four only behind translucent surfaces.
 const MAX_SEGMENTS: u32 = 16u;
