@@ -14,16 +14,14 @@ pub(super) fn class(solid: &Solid) -> Class {
         SolidKind::Shape(row, _) => row.class,
         SolidKind::SphereHull(_) => Class::ExactOutside,
         // Outside, the nearest of the operands is the nearest point of all; inside, the others' insides count too.
-        SolidKind::Boolean { operation: Boolean::Union, joint: None, children } => {
-            worst(children).max(Class::ExactOutside)
-        }
+        SolidKind::Boolean { operation: Boolean::Union, joint: None, children } => outside_at_best(worst(children)),
         SolidKind::Boolean { .. } => Class::Bound,
         SolidKind::Transform(map, child) => match map.similarity() {
             Similarity::Uniform(_) => class(child),
             Similarity::AtLeast(_) => Class::Bound,
         },
         SolidKind::Paint(_, child) => class(child),
-        SolidKind::Offset(by, child) if by.range().min >= 0.0 => class(child).max(Class::ExactOutside),
+        SolidKind::Offset(by, child) if by.range().min >= 0.0 => outside_at_best(class(child)),
         SolidKind::Offset(..) => Class::Bound,
         SolidKind::Shell(_, child) if class(child) == Class::Exact => Class::ExactOutside,
         SolidKind::Shell(..) | SolidKind::Twist(..) | SolidKind::Slice(_) => Class::Bound,
@@ -31,6 +29,15 @@ pub(super) fn class(solid: &Solid) -> Class {
         SolidKind::Revolve { sweep: None, facets: None, child } => class(child),
         SolidKind::Extrude { .. } | SolidKind::Revolve { .. } => Class::Bound,
     }
+}
+
+/// The class where insides are no longer exact.
+///
+/// It is a call of its own, because rustc 1.95 with optimisation turns `class(child).max(…)` at the end of the recursion
+/// into a loop that applies the maximum to every solid.
+#[inline(never)]
+fn outside_at_best(class: Class) -> Class {
+    class.max(Class::ExactOutside)
 }
 
 /// Whether an extrusion neither turns nor scales.
