@@ -219,7 +219,7 @@ fn rounded_profile(instance: &mut Instance, child: Arc<Solid>) -> Built {
     } else {
         Region::rectangle([min[0] - 1.0, min[1] - 1.0], [0.0, max[1] + 1.0])
     };
-    let rounded = Region::intersection(&[opened(&whole, radius), half_plane]);
+    let rounded = Region::intersection(&[opened(&whole, radius, span)?, half_plane]);
     if rounded.is_empty() {
         return Err(error(span, "edges of this radius do not fit the shape: it is narrower than twice the radius"));
     }

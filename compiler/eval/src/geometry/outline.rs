@@ -42,18 +42,24 @@ pub(super) fn outline(solid: &Solid) -> Result<Region, Stop> {
 
 /// The outline of a plane shape, grown by a distance, or shrunk if that is negative.
 pub(super) fn grown_region(solid: &Solid, by: f64, join: Join) -> Result<Region, Stop> {
-    let region = outline(solid)?.normalized();
-    let edges = region.edges().count();
-    if edges > MOST_GROWN_EDGES {
-        let message = format!("this outline of {edges} edges is too fine to be grown or shrunk");
-        return Err(error(solid.span, message));
-    }
-    Ok(region.offset(by, join))
+    Ok(growable(outline(solid)?, solid.span)?.offset(by, join))
 }
 
 /// An outline without what no disc of that radius inside it reaches: its corners are rounded, its narrow parts gone.
-pub(super) fn opened(region: &Region, radius: f64) -> Region {
-    region.offset(-radius, Join::Round).offset(radius, Join::Round)
+pub(super) fn opened(region: &Region, radius: f64, span: Span) -> Result<Region, Stop> {
+    let region = untangled(vec![region.clone()], span)?.remove(0);
+    Ok(growable(region, span)?.offset(-radius, Join::Round).offset(radius, Join::Round))
+}
+
+/// The outline without crossings, unless it is too fine to be grown or shrunk.
+fn growable(region: Region, span: Span) -> Result<Region, Stop> {
+    let region = region.normalized();
+    let edges = region.edges().count();
+    if edges > MOST_GROWN_EDGES {
+        let message = format!("this outline of {edges} edges is too fine to be grown or shrunk");
+        return Err(error(span, message));
+    }
+    Ok(region)
 }
 
 /// An outline without its holes.

@@ -62,7 +62,7 @@ fn polygon(instance: &mut Instance) -> Built {
         Some(radius) => decide::constant(&radius, instance.place("r"), "the radius of a polygon's corners")?,
         None => 0.0,
     };
-    let outline = if rounding > 0.0 { opened(&outline, rounding) } else { outline };
+    let outline = if rounding > 0.0 { opened(&outline, rounding, instance.head)? } else { outline };
     Ok(region(outline, instance.head))
 }
 
