@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use chiaro_field::Graph;
-use chiaro_solid::{Camera, Dimension, LiveParameter, Scalar, Solid, SolidKind};
+use chiaro_solid::{Camera, Dimension, LiveParameter, PlacedLight, Scalar, Solid, SolidKind};
 use chiaro_syntax::Diagnostic;
 
 /// A plane shape is shown as a slab of this part of its size.
@@ -16,6 +16,8 @@ pub struct Scene {
     pub solid: Arc<Solid>,
     /// Its field. Of a plane scene that is the plane distance, for any z.
     pub graph: Graph,
+    /// Its lights, in the order of the text.
+    pub lights: Vec<PlacedLight>,
     /// From where it is seen.
     pub camera: Camera,
     /// The numbers that move without a recompilation, in the order of their ids.
@@ -27,7 +29,7 @@ impl Scene {
     pub(crate) fn lower(scene: chiaro_solid::Scene, diagnostics: &mut Vec<Diagnostic>) -> Self {
         let (graph, remarks) = chiaro_field::lower(&scene.root);
         diagnostics.extend(remarks);
-        Self { solid: scene.root, graph, camera: scene.camera, parameters: scene.parameters }
+        Self { solid: scene.root, graph, lights: scene.lights, camera: scene.camera, parameters: scene.parameters }
     }
 
     /// The live parameters' values until somebody moves them.

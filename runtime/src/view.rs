@@ -27,6 +27,7 @@ impl View {
     pub(crate) fn apply(&self, camera: &Camera) -> Camera {
         let (target, distance) = self.target_and_distance.unzip();
         Camera {
+            eye: None,
             target: target.map(|point| point.map(Scalar::from)),
             rotation: Some(self.rotation.map(Scalar::from)),
             distance: distance.map(Scalar::from),

@@ -3,12 +3,14 @@
 //! It is what the evaluator answers and what the field is lowered from. It knows no text beyond spans.
 
 pub mod affine;
+pub mod light;
 pub mod print;
 pub mod scalar;
 pub mod scene;
 pub mod tree;
 
 pub use affine::Affine;
+pub use light::{Emitter, Light, PlacedLight, Strength};
 pub use print::print;
 pub use scalar::{LiveParameter, ParameterId, Scalar};
 pub use scene::{Camera, Material, Scene};

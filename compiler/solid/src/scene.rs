@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::light::PlacedLight;
 use crate::scalar::{LiveParameter, Scalar};
 use crate::tree::Solid;
 
@@ -10,6 +11,8 @@ use crate::tree::Solid;
 pub struct Scene {
     /// Everything there is to see.
     pub root: Arc<Solid>,
+    /// Its lights, in the order of the text.
+    pub lights: Vec<PlacedLight>,
     /// From where it is seen.
     pub camera: Camera,
     /// The numbers that move without a recompilation, in the order of their ids.
@@ -22,6 +25,8 @@ pub struct Scene {
 pub struct Camera {
     /// `$vpt`: the point looked at, in millimetres.
     pub target: Option<[Scalar; 3]>,
+    /// Where the eye is, in millimetres, if `camera` says so; then rotation and distance follow from it and the target.
+    pub eye: Option<[Scalar; 3]>,
     /// `$vpr`: how the scene is turned before the camera, in degrees about x, y and z; [55, 0, 25] by default.
     pub rotation: Option<[Scalar; 3]>,
     /// `$vpd`: the distance from the target, in millimetres.

@@ -160,6 +160,7 @@ mod tests {
     #[test]
     fn what_a_scene_says_of_its_camera_stays() {
         let camera = Camera {
+            eye: None,
             target: Some([1.0, 2.0, 3.0].map(Scalar::from)),
             rotation: Some([10.0, 20.0, 30.0].map(Scalar::from)),
             distance: Some(Scalar::from(140.0)),
