@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use chiaro_compiler::shader::Shadows;
+use chiaro_render::Direct;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::view::View;
@@ -102,6 +104,10 @@ pub(crate) struct Render {
     #[arg(long, value_name = "VIEW", allow_hyphen_values = true)]
     pub(crate) view: Option<View>,
 
+    /// How direct light is found: hard, or reference for random samples, slow and right.
+    #[arg(long, value_name = "METHOD", default_value = "hard")]
+    pub(crate) shadows: ShadowChoice,
+
     /// Leave out the floor below the scene.
     #[arg(long)]
     pub(crate) no_floor: bool,
@@ -170,6 +176,25 @@ pub(crate) struct Distance {
 
     #[command(flatten)]
     pub(crate) adapter: AdapterArguments,
+}
+
+/// How direct light is found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ShadowChoice(pub(crate) Direct);
+
+impl std::str::FromStr for ShadowChoice {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        match Shadows::named(name) {
+            Some(method) => Ok(Self(Direct::By(method))),
+            None if name == "reference" => Ok(Self(Direct::Sampled)),
+            None => {
+                let names: Vec<&str> = Shadows::ALL.iter().map(|method| method.name()).collect();
+                Err(format!("write {} or reference", names.join(", ")))
+            }
+        }
+    }
 }
 
 fn definition(text: &str) -> Result<(String, String), String> {

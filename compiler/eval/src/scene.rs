@@ -72,7 +72,12 @@ pub fn evaluate(world: &dyn World, sources: &mut Sources, main: FileId, options:
         diagnostics.sort_by_key(|diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
         let failed = has_errors(&diagnostics);
         diagnostics.splice(0..0, echoes);
-        let scene = result.ok().filter(|_| !failed).map(|(root, camera)| Scene { root, lights: Vec::new(), camera, parameters });
+        let scene = result.ok().filter(|_| !failed).map(|(root, camera)| Scene {
+            root,
+            lights: Vec::new(),
+            camera,
+            parameters,
+        });
         return Evaluation { scene, diagnostics };
     }
 }

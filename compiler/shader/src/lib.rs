@@ -10,12 +10,14 @@ mod build;
 mod emit;
 mod link;
 mod names;
+mod shadows;
 mod splice;
 mod tables;
 mod template;
 mod text;
 
 pub use emit::MAX_NODES;
+pub use shadows::Shadows;
 pub use splice::{Shader, splice};
 pub use tables::Tables;
 pub use template::Template;

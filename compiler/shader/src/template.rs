@@ -1,9 +1,11 @@
 //! The templates: what runs the scene's functions.
 
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use naga::{Function, Handle, Module};
 use rustc_hash::FxHashMap;
+
+use crate::shadows::Shadows;
 
 /// A WGSL file that scenes are spliced into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -16,36 +18,64 @@ pub enum Template {
     Prepass,
     /// Traces rays and lights what they hit.
     Trace,
+    /// Entry `shadow`: answers how much of a light each receiver sees.
+    Shadows(Shadows),
+    /// Entry `shade`: adds a light to the picture. It asks no scene.
+    Shade,
 }
 
 impl Template {
     /// All of them.
-    pub const ALL: [Template; 4] = [Template::Library, Template::Distances, Template::Prepass, Template::Trace];
+    pub fn all() -> impl Iterator<Item = Template> {
+        let fixed = [Template::Library, Template::Distances, Template::Prepass, Template::Trace, Template::Shade];
+        fixed.into_iter().chain(Shadows::ALL.into_iter().map(Template::Shadows))
+    }
 
     /// Its own WGSL, which calls `scene_distance` and `scene_surface`.
-    pub fn text(self) -> &'static str {
+    pub fn text(self) -> String {
+        self.files().join("\n")
+    }
+
+    fn files(self) -> Vec<&'static str> {
         match self {
-            Template::Library => include_str!("../templates/library.wgsl"),
-            Template::Distances => include_str!("../templates/distances.wgsl"),
+            Template::Library => vec![include_str!("../templates/library.wgsl")],
+            Template::Distances => vec![include_str!("../templates/distances.wgsl")],
             Template::Prepass => {
-                concat!(include_str!("../templates/trace_view.wgsl"), include_str!("../templates/prepass.wgsl"))
+                vec![include_str!("../templates/trace_view.wgsl"), include_str!("../templates/prepass.wgsl")]
             }
-            Template::Trace => concat!(
-                include_str!("../templates/trace_view.wgsl"),
-                include_str!("../templates/trace_numbers.wgsl"),
-                include_str!("../templates/trace_surface.wgsl"),
-                include_str!("../templates/trace_studio.wgsl"),
-                include_str!("../templates/trace.wgsl"),
-            ),
+            Template::Trace => {
+                let own = [include_str!("../templates/trace_lights.wgsl"), include_str!("../templates/trace.wgsl")];
+                [&PICTURE[..], &LIGHTS, &own].concat()
+            }
+            Template::Shadows(method) => [&PICTURE[..], &LIGHTS, method.files()].concat(),
+            Template::Shade => [&PICTURE[..], &LIGHTS, &[include_str!("../templates/shade.wgsl")]].concat(),
         }
     }
 
     /// Its module together with the vocabulary and the stubs, parsed when first asked for.
     pub(crate) fn parsed(self) -> &'static Parsed {
-        static PARSED: [OnceLock<Parsed>; Template::ALL.len()] = [const { OnceLock::new() }; Template::ALL.len()];
-        PARSED[self as usize].get_or_init(|| Parsed::new(self))
+        static PARSED: OnceLock<Mutex<FxHashMap<Template, &'static Parsed>>> = OnceLock::new();
+        let mut parsed = PARSED.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
+        parsed.entry(self).or_insert_with(|| Box::leak(Box::new(Parsed::new(self))))
     }
 }
+
+/// What pictures are drawn with.
+const PICTURE: [&str; 5] = [
+    include_str!("../templates/trace_view.wgsl"),
+    include_str!("../templates/trace_numbers.wgsl"),
+    include_str!("../templates/trace_surface.wgsl"),
+    include_str!("../templates/trace_studio.wgsl"),
+    include_str!("../templates/receiver.wgsl"),
+];
+
+/// What is known of lights.
+const LIGHTS: [&str; 4] = [
+    include_str!("../templates/light.wgsl"),
+    include_str!("../templates/light_bounds.wgsl"),
+    include_str!("../templates/light_crossing.wgsl"),
+    include_str!("../templates/light_sampling.wgsl"),
+];
 
 /// A parsed template.
 pub(crate) struct Parsed {
@@ -63,7 +93,7 @@ impl Parsed {
     ///
     /// If the text is no WGSL: the templates are part of this crate, and a test parses each.
     fn new(template: Template) -> Self {
-        let text = [chiaro_vocabulary::source(), SCENE, template.text()].join("\n");
+        let text = [chiaro_vocabulary::source(), SCENE, &template.text()].join("\n");
         let module = naga::front::wgsl::parse_str(&text)
             .unwrap_or_else(|error| panic!("{template:?}: {}", error.emit_to_string(&text)));
         let named = |(handle, function): (_, &Function)| Some((function.name.clone()?, handle));
@@ -78,7 +108,7 @@ mod tests {
 
     #[test]
     fn every_template_parses() {
-        for template in Template::ALL {
+        for template in Template::all() {
             assert!(template.parsed().functions.contains_key("scene_distance"), "{template:?}");
         }
     }

@@ -18,6 +18,8 @@ const LIGHT_TWO_SIDED: u32 = 1u;
 const LIGHT_VISIBLE: u32 = 2u;
 /// A quadrilateral with right angles.
 const LIGHT_RECTANGLE: u32 = 4u;
+/// Paths draw it at random at the first surface too; no shadow method does.
+const LIGHT_SAMPLED: u32 = 8u;
 
 struct Light {
     a: vec4<f32>,

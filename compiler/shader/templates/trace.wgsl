@@ -1,10 +1,11 @@
-// Traces one sample of every pixel: a path from the eye over at most two surfaces to the studio's lights.
+// Traces one sample of every pixel: a path from the eye over at most two surfaces to lights and sky.
 //
 // Theory: Path tracing with next-event estimation (Kajiya, "The Rendering Equation", 1986), each segment of the path
 // by sphere tracing (Hart 1996) with automatically relaxed steps: the slope of the distances met so far predicts how
 // far the next sphere may lie for both to touch (Bálint, Valasek, Gera: "Operations on Signed Distance Function
 // Estimates", 2023; step r ω with ω = 2/(1 − m)); where two spheres come apart, the ray goes back.
-// Changes: Segments to surfaces, segments to the key light and the probes of normals all ask the scene in one place of
+// Changes: The first surface's direct light is left to passes of its own (`shadows/`), which draw nothing at random: it
+// is written down as a receiver, and only lights that ask for it are sampled there. Segments to surfaces, segments to lights and the probes of normals all ask the scene in one place of
 // one loop, because drivers take time in proportion to the calls of the scene. Lights and surfaces stay outside that
 // loop, because software drivers run both sides of every branch. The last surface of a path takes the sky's light
 // from a closed form.
@@ -13,6 +14,12 @@
 @group(1) @binding(0) var<storage, read> starts: array<vec2<f32>>;
 /// The sum of the samples' radiances; w: how often the scene was evaluated for them.
 @group(1) @binding(1) var<storage, read_write> sums: array<vec4<f32>>;
+/// What the part's pixels see, row by row.
+@group(1) @binding(2) var<storage, read_write> receivers: array<Receiver>;
+@group(1) @binding(3) var<storage, read> lights: array<Light>;
+
+/// What `view.level.x` may ask for: that paths end at the first surface, which is met through the pixel's centre.
+const RECEIVERS_ONLY: u32 = 1u;
 
 /// The β of the running mean of slopes.
 const RELAXATION: f32 = 0.3;
@@ -31,6 +38,9 @@ const HIT: f32 = 0.25;
 const LAST_ROUGHNESS: f32 = 0.6;
 /// How much of the sky reaches a path's last surface, at a guess.
 const LAST_OPENNESS: f32 = 0.6;
+/// Where shadow rays start, off the surface, as a part of the distance from the eye. Less would lose contact with f32;
+/// more would lose contact shadows.
+const SHADOW_OFFSET: f32 = 4e-4;
 /// The most that one sample may add.
 const MAX_RADIANCE: f32 = 12.0;
 
@@ -39,19 +49,22 @@ struct Segment {
     ray: Ray,
     /// Up to here nothing is met.
     start: f32,
+    /// Nor from here on.
+    end: f32,
     /// The distance that counts as a hit, and how much it grows along the ray.
     hit: vec2<f32>,
     /// 1 outside solids; −1 within a translucent one, where distances count from within.
     side: f32,
-    /// Whether it goes to the key light, and only has to know if anything is in between.
-    to_key: bool,
+    /// Whether it goes to a light, and only has to know if anything is in between.
+    to_light: bool,
 }
 
 /// What a segment meets.
 struct Met {
     /// How far along the ray; nothing if negative.
     t: f32,
-    /// The slope of the distance there: the normal, but for its length.
+    /// The distance there, and its slope: the normal, but for its length.
+    d: f32,
     n: vec3<f32>,
     /// How far around n was asked.
     h: f32,
@@ -68,14 +81,14 @@ fn meet(segment: Segment) -> Met {
     let o = segment.ray.o;
     let w = segment.ray.w;
     let crossing = box_crossing(segment.ray);
-    let end = crossing.y;
+    let end = min(crossing.y, segment.end);
     // The ray is free up to t, where the free radius is r; the scene is asked next z ahead; m is the mean slope of r.
     var t = max(crossing.x, segment.start);
     // Where a ray enters the box it may meet a surface at once; where it leaves a surface it must not.
     var r = select(0.0, FAR, t > 0.0);
     var z = 0.0;
     var m = -1.0;
-    var met = Met(-1.0, vec3<f32>(0.0), 0.0, 0u);
+    var met = Met(-1.0, 0.0, vec3<f32>(0.0), 0.0, 0u);
     // Corners of the tetrahedron about the hit that are still to be asked; d at the hit, and how it fell on the way
     // there; how small d has to be now to be worth asking.
     var probes = 0u;
@@ -100,6 +113,8 @@ fn meet(segment: Segment) -> Met {
             }
             let slope = max(length(met.n) / (4.0 * met.h), fall);
             if found <= (segment.hit.x + segment.hit.y * t) * slope {
+                // How far it is to the surface itself.
+                met.d = segment.side * found / max(slope, TINY);
                 break;
             }
             met.t = -1.0;
@@ -127,7 +142,7 @@ fn meet(segment: Segment) -> Met {
         t = ahead;
         r = free;
         if hits {
-            met.t = t + max(free, 0.0);
+            met.t = t;
             met.h = max(2.0 * near, 16.0 * view.box_min.w);
             found = segment.side * d;
             probes = 4u;
@@ -139,16 +154,24 @@ fn meet(segment: Segment) -> Met {
     return met;
 }
 
-/// The radiance of one sample of a pixel; w: how often the scene was evaluated for it.
-fn path(pixel: vec2<u32>, start: f32) -> vec4<f32> {
+/// The radiance of one sample of a pixel; w: how often the scene was evaluated for it. Writes what the pixel sees to
+/// `receivers[place]`, if something else lights that.
+fn path(pixel: vec2<u32>, start: f32, place: u32) -> vec4<f32> {
+    receivers[place].p.w = -1.0;
+    let receivers_only = (view.level.x & RECEIVERS_ONLY) > 0u;
+
     // A jittered ray through the pixel.
     let sample = view.size.z;
     let seed = hash(pixel.x, pixel.y);
-    let point = vec2<f32>(pixel) + 0.5 + tent(unit_square(seed, sample, 0u));
+    let jitter = select(tent(unit_square(seed, sample, 0u)), vec2<f32>(0.0), receivers_only);
+    let point = vec2<f32>(pixel) + 0.5 + jitter;
     let size = vec2<f32>(view.size.xy);
     let from_centre = (2.0 * point - size) / length(size);
-    let background = backdrop(vec2<f32>(from_centre.x, -from_centre.y));
-    var segment = Segment(camera_ray(point), start, vec2<f32>(view.box_min.w, HIT * view.forward.w), 1.0, false);
+    let eye_ray = camera_ray(point);
+    let background = background_of(eye_ray.w, vec2<f32>(from_centre.x, -from_centre.y));
+    let eye_hit = vec2<f32>(view.box_min.w, HIT * view.forward.w);
+    let shining = nearest_shining(eye_ray);
+    var segment = Segment(eye_ray, start, shining.t, eye_hit, 1.0, false);
 
     var radiance = vec3<f32>(0.0);
     var throughput = vec3<f32>(1.0);
@@ -157,8 +180,8 @@ fn path(pixel: vec2<u32>, start: f32) -> vec4<f32> {
     var depth = 0u;
     var from_floor = false;
     var blur = 0.0;
-    // What the key light adds if it is seen, and how the path goes on then.
-    var key_radiance = vec3<f32>(0.0);
+    // What the light adds if it is seen, and how the path goes on then.
+    var direct = vec3<f32>(0.0);
     var next = segment;
 
     for (var i = 0u; i < MAX_SEGMENTS; i++) {
@@ -166,9 +189,9 @@ fn path(pixel: vec2<u32>, start: f32) -> vec4<f32> {
         evaluations += met.evaluations;
         let missed = met.t < 0.0;
 
-        if segment.to_key {
-            // The key light is seen, or is not; the path goes on.
-            radiance += select(vec3<f32>(0.0), key_radiance, missed);
+        if segment.to_light {
+            // The light is seen, or is not; the path goes on.
+            radiance += select(vec3<f32>(0.0), direct, missed);
             if depth == MAX_DEPTH {
                 break;
             }
@@ -176,18 +199,23 @@ fn path(pixel: vec2<u32>, start: f32) -> vec4<f32> {
             continue;
         }
 
-        // Past the scene is the floor, or the studio.
+        // Past the scene is a light, the floor, or the sky.
         let t_floor = floor_crossing(segment.ray);
+        if missed && depth == 0u && shining.t < FAR && (t_floor < 0.0 || shining.t < t_floor) {
+            radiance += throughput * shining.radiance;
+            break;
+        }
         if missed && t_floor < 0.0 {
             radiance += throughput * select(sky(segment.ray.w, blur), background, depth == 0u || from_floor);
             break;
         }
         let t = select(met.t, t_floor, missed);
-        let position = segment.ray.o + t * segment.ray.w;
-        var surface = scene_surface(position);
         // A hit at a point without slope, such as a sphere's centre, faces the ray.
         var n = select(-segment.ray.w, normalize(met.n), dot(met.n, met.n) > TINY);
         var h = met.h;
+        // Where the ray is hit by less than a pixel's width, the slope leads on to the surface.
+        let position = segment.ray.o + t * segment.ray.w - select(met.d, 0.0, missed) * n;
+        var surface = scene_surface(position);
         if missed {
             surface = Surface(vec4<f32>(FLOOR_ALBEDO, 1.0), vec4<f32>(1.0, 0.0, 0.0, 0.0));
             n = vec3<f32>(0.0, 0.0, 1.0);
@@ -195,36 +223,50 @@ fn path(pixel: vec2<u32>, start: f32) -> vec4<f32> {
         } else if unit_interval(hash(seed, hash(sample, 64u + i))) >= surface.color.a {
             // Translucent: as many rays as light passes go on, out of the other side.
             segment.side = -segment.side;
-            segment.start = t + 2.0 * h;
+            segment.start = t + max(segment.side * met.d, 0.0) + 2.0 * h;
             continue;
         }
 
-        // Light the surface by the key light, and draw where the path goes next.
+        // Light the surface by a light, and draw where the path goes next.
         depth += 1u;
         surface.finish.x = select(surface.finish.x, max(surface.finish.x, LAST_ROUGHNESS), depth > 1u);
         let x = vertex_of(surface, n, -segment.ray.w);
         let origin = position + 2.0 * h * n;
         let hit = vec2<f32>(0.5 * h, 0.0);
-        let l = key_drawn(unit_square(seed, sample, 4u * depth));
+        let choice = unit_square(seed, sample, 4u * depth + 3u).x;
+        let among = select(0u, LIGHT_SAMPLED, depth == 1u);
+        let l = some_light_drawn(origin, n, unit_square(seed, sample, 4u * depth), choice, among);
         let u = unit_square(seed, sample, 4u * depth + 1u);
-        if missed && depth == 1u {
+        let catches = missed && depth == 1u && is_studio();
+        if catches {
             // The floor that the camera sees is the backdrop, darker where the scene hides light from it.
             from_floor = true;
-            key_radiance = background * FLOOR_KEY_SHARE;
+            direct = select(vec3<f32>(0.0), background * FLOOR_KEY_SHARE, any(l.radiance > vec3<f32>(0.0)));
             throughput = 1.0 - FLOOR_KEY_SHARE;
-            next = Segment(Ray(origin, cosine_drawn(n, u)), 0.0, hit, 1.0, false);
+            next = Segment(Ray(origin, cosine_drawn(n, u)), 0.0, FAR, hit, 1.0, false);
         } else {
             radiance += throughput * surface.color.rgb * surface.finish.z;
             radiance += select(vec3<f32>(0.0), throughput * (x.body + x.f0) * ambient(n) * LAST_OPENNESS, depth > 1u);
-            key_radiance = throughput * key_scattered(x, l);
+            let widening = select(0.0, l.angular_radius, depth > 1u);
+            direct = throughput * scatter_towards(x, l.w, widening) * l.radiance;
             let drawn = scatter_drawn(x, u, unit_square(seed, sample, 4u * depth + 2u).x);
             throughput *= drawn.weight;
             blur = drawn.blur;
-            next = Segment(Ray(origin, drawn.w), 0.0, hit, 1.0, false);
+            next = Segment(Ray(origin, drawn.w), 0.0, FAR, hit, 1.0, false);
         }
-        // Who gets none of the key light need not look for it.
-        let start_of_key = select(0.0, FAR, all(key_radiance <= vec3<f32>(0.0)));
-        segment = Segment(Ray(origin, l), start_of_key, hit, 1.0, true);
+        if depth == 1u {
+            let offset = max(SHADOW_OFFSET * distance(position, view.eye.xyz), 8.0 * view.box_min.w);
+            let color = select(clamp(surface.color.rgb, vec3<f32>(0.0), vec3<f32>(1.0)), background * FLOOR_KEY_SHARE, catches);
+            let metallic = select(clamp(surface.finish.y, 0.0, 1.0), -1.0, catches);
+            let finish = vec4<f32>(color, surface.finish.x);
+            receivers[place] = Receiver(vec4<f32>(position, offset), vec4<f32>(n, metallic), finish);
+            if receivers_only {
+                break;
+            }
+        }
+        // Who gets none of the light need not look for it.
+        let start_of_direct = select(0.0, FAR, all(direct <= vec3<f32>(0.0)));
+        segment = Segment(Ray(origin, l.w), start_of_direct, l.distance, hit, 1.0, true);
     }
     return vec4<f32>(min(radiance, vec3<f32>(MAX_RADIANCE)), f32(evaluations));
 }
@@ -236,5 +278,5 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let start = starts[tile_index(pixel, START_EDGE, view.level.w)].x * f32(view.size.w);
-    sums[pixel.y * view.size.x + pixel.x] += path(pixel, start);
+    sums[pixel.y * view.size.x + pixel.x] += path(pixel, start, id.y * view.part.z + id.x);
 }

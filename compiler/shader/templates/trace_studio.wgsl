@@ -1,13 +1,8 @@
-// The studio that a scene without lights stands in: a backdrop, soft boxes, a floor that catches shadows, a key light.
+// What surrounds a scene. One without lights stands in a studio: a backdrop, soft boxes, a floor that catches shadows (and
+// a key light, which the host adds to the lights). One with lights has the sky that its text asks for.
 //
 // Practice: everything is a closed form of a direction, so that a ray which leaves the scene costs no evaluation.
 // Radiances are such that a white surface in full light is about 1.
-
-/// The key light: how far it stands from the zenith and the front, its angular radius, and the irradiance that it
-/// gives a surface facing it.
-const KEY_DIRECTION: vec3<f32> = vec3<f32>(-0.62, -0.36, 0.70);
-const KEY_RADIUS: f32 = 0.11;
-const KEY_IRRADIANCE: vec3<f32> = vec3<f32>(2.60, 2.45, 2.28);
 
 /// The sky's radiance overhead, level, and, where there is no floor, below.
 const SKY_ZENITH: vec3<f32> = vec3<f32>(0.46, 0.49, 0.53);
@@ -43,9 +38,23 @@ fn soft_box(w: vec3<f32>, c: vec3<f32>, half_size: vec2<f32>, blur: f32) -> f32 
     return seen * smoothstep(0.0, 0.25, facing);
 }
 
+/// Whether the scene stands in the studio.
+fn is_studio() -> bool {
+    return view.zenith.w > 0.5;
+}
+
 /// The radiance from a direction of the world, for a lobe between a mirror's (0) and a matt body's (1).
-fn sky(direction: vec3<f32>, blur: f32) -> vec3<f32> {
-    let w = into_studio(direction);
+fn sky(w: vec3<f32>, blur: f32) -> vec3<f32> {
+    if is_studio() {
+        return studio_sky(into_studio(w), blur);
+    }
+    // The horizon is as blurred as the lobe.
+    let above = smoothstep(-1.0, 1.0, w.z / (0.02 + blur));
+    let upwards = mix(view.horizon.rgb, view.zenith.rgb, max(w.z, 0.0));
+    return mix(view.ground.rgb, upwards, above);
+}
+
+fn studio_sky(w: vec3<f32>, blur: f32) -> vec3<f32> {
     let gradient = select(mix(SKY_LEVEL, SKY_NADIR, -w.z), mix(SKY_LEVEL, SKY_ZENITH, w.z), w.z > 0.0);
     let overhead = soft_box(w, normalize(vec3<f32>(0.05, 0.15, 1.0)), vec2<f32>(0.75, 0.45), blur);
     let left = soft_box(w, normalize(vec3<f32>(-1.0, -0.35, 0.45)), vec2<f32>(0.28, 0.62), blur);
@@ -60,26 +69,22 @@ fn sky(direction: vec3<f32>, blur: f32) -> vec3<f32> {
 
 /// The sky's irradiance over π on a surface whose normal is n: what a white one sends back, where nothing hides it.
 fn ambient(n: vec3<f32>) -> vec3<f32> {
+    if !is_studio() {
+        let upwards = mix(view.horizon.rgb, view.zenith.rgb, 2.0 / 3.0 * max(n.z, 0.0));
+        return mix(view.ground.rgb, upwards, 0.5 + 0.5 * n.z);
+    }
     return mix(vec3<f32>(0.34, 0.34, 0.35), vec3<f32>(0.62, 0.64, 0.67), 0.5 + 0.5 * n.z);
 }
 
-/// What the camera sees behind everything, at a point of the picture, whose corners are at a distance of 1 from its
-/// centre.
-fn backdrop(point: vec2<f32>) -> vec3<f32> {
+/// What the camera sees behind everything in direction w, at a point of the picture, whose corners are at a distance of
+/// 1 from its centre.
+fn background_of(w: vec3<f32>, point: vec2<f32>) -> vec3<f32> {
+    if !is_studio() {
+        return sky(w, 0.0);
+    }
     let from_centre = point - vec2<f32>(0.0, -0.08);
     let falloff = 1.0 / (1.0 + 0.42 * dot(from_centre, from_centre));
     return vec3<f32>(0.86, 0.87, 0.885) * falloff;
-}
-
-/// Draws a direction towards the key light.
-fn key_drawn(u: vec2<f32>) -> vec3<f32> {
-    let towards = basis_across(normalize(from_studio(KEY_DIRECTION)));
-    return normalize(towards * vec3<f32>(KEY_RADIUS * unit_disc(u), 1.0));
-}
-
-/// The direct light: what the surface sends back of the key light that comes along l, where nothing hides it.
-fn key_scattered(x: Vertex, l: vec3<f32>) -> vec3<f32> {
-    return scatter_towards(x, l, KEY_RADIUS) * KEY_IRRADIANCE;
 }
 
 /// How far along a ray it meets the floor; not at all if negative. The floor is seen from above only.

@@ -18,13 +18,19 @@ struct View {
     box_max: vec4<f32>,
     /// The floor: x: its height; y: 1 if there is one, else 0. The studio's azimuth: z: its cosine; w: its sine.
     studio: vec4<f32>,
+    /// The sky's radiance overhead; w: 1 if the scene stands in the studio, else 0.
+    zenith: vec4<f32>,
+    /// The sky's radiance at the horizon.
+    horizon: vec4<f32>,
+    /// The radiance from below the horizon.
+    ground: vec4<f32>,
     /// The picture's size in pixels; z: how many samples each pixel had before; w: 1 to start at the prepass's depths,
     /// or, for the prepass itself, to march cones and not just their axes.
     size: vec4<u32>,
     /// The part of the picture that this dispatch draws: the first pixel and the size.
     part: vec4<u32>,
     /// The prepass: the edge of this level's tiles in pixels, where they are stored, and the same of the level before
-    /// (an edge of 0 for none). For the trace, the level before is the finest.
+    /// (an edge of 0 for none). For the trace, the level before is the finest, and x says how it lights.
     level: vec4<u32>,
 }
 

@@ -6,19 +6,25 @@
 mod error;
 mod gpu;
 mod kernel;
+mod lights;
 mod measure;
 mod model;
 mod parts;
 mod picture;
 mod probe;
 mod resolve;
+mod shade;
+mod shadow;
 mod stopwatch;
+mod study;
 mod uniform;
 mod view;
 
 pub use error::{Error, Result};
 pub use gpu::{AdapterDescription, Gpu, Preference, adapters};
+pub use lights::{Direct, LightRow, LightSource, Lighting, Surroundings};
 pub use model::Model;
 pub use picture::{Evaluations, Floor, Picture, Timings};
 pub use probe::distances;
+pub use study::{Outcome, Receiver, Study};
 pub use view::View;

@@ -1,5 +1,7 @@
 //! A scene, compiled for a device.
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use chiaro_field::Graph;
 use chiaro_shader::{Template, bindings, splice};
 use chiaro_solid::{Scalar, scalar::ParameterId};
@@ -17,14 +19,20 @@ use crate::view::drawn_bounds;
 /// does not.
 #[derive(Clone, Debug)]
 pub struct Model {
+    pub(crate) graph: Arc<Graph>,
     pub(crate) prepass: Program,
     pub(crate) trace: Program,
     /// Outside there is nothing to draw.
     pub(crate) bounds: Bounds,
     pub(crate) lipschitz: f64,
+    /// The live numbers' present values.
+    parameters: Arc<Mutex<Vec<f64>>>,
     /// Whether the scene has a lowest point that a floor could be under.
     has_lower_end: bool,
 }
+
+/// The starting depths, the sums, the receivers, the lights.
+const TRACE_SLOTS: [(u32, Slot); 4] = [(0, Slot::Read), (1, Slot::ReadWrite), (2, Slot::ReadWrite), (3, Slot::Read)];
 
 /// A template with the scene spliced into it, on its way to a device.
 #[derive(Clone, Debug)]
@@ -50,10 +58,12 @@ impl Model {
         let prepass = Source::of(graph, Template::Prepass)?;
         let trace = Source::of(graph, Template::Trace)?;
         let model = Self {
+            graph: Arc::new(graph.clone()),
             prepass: Program::new(gpu, prepass, "prepass", true, &[(0, Slot::ReadWrite)])?,
-            trace: Program::new(gpu, trace, "trace", true, &[(0, Slot::Read), (1, Slot::ReadWrite)])?,
+            trace: Program::new(gpu, trace, "trace", true, &TRACE_SLOTS)?,
             bounds: drawn_bounds(&facts.bounds),
             lipschitz: facts.lipschitz,
+            parameters: Arc::default(),
             has_lower_end: facts.bounds.min[2].is_finite(),
         };
         model.set_parameters(gpu, parameters)?;
@@ -72,7 +82,14 @@ impl Model {
 
     pub(crate) fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
         self.prepass.set_parameters(gpu, parameters)?;
-        self.trace.set_parameters(gpu, parameters)
+        self.trace.set_parameters(gpu, parameters)?;
+        *self.parameters.lock().unwrap_or_else(PoisonError::into_inner) = parameters.to_vec();
+        Ok(())
+    }
+
+    /// The live numbers' present values.
+    pub(crate) fn parameters(&self) -> Vec<f64> {
+        self.parameters.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }
 

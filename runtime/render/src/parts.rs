@@ -10,8 +10,8 @@ const SOON_ENOUGH: Duration = Duration::from_millis(120);
 /// The edge of the first parts, and of the smallest, in pixels: multiples of a workgroup's.
 const FIRST_EDGE: u32 = 64;
 const LEAST_EDGE: u32 = 16;
-/// No axis of a dispatch may have more workgroups than 65535.
-const MOST_EDGE: u32 = 8 * 32768;
+/// The edge of the largest, for which buffers have to have room.
+const MOST_EDGE: u32 = 1024;
 
 /// The parts of one sample of a picture, row by row.
 #[derive(Clone, Debug)]
@@ -28,6 +28,11 @@ impl Parts {
     /// Of a picture of this size.
     pub(crate) fn new(size: [u32; 2]) -> Self {
         Self { size, edge: FIRST_EDGE, next: [0; 2], row: FIRST_EDGE }
+    }
+
+    /// The most pixels that a part has.
+    pub(crate) fn most_pixels(&self) -> u64 {
+        self.size.into_iter().map(|edge| u64::from(edge.min(MOST_EDGE))).product()
     }
 
     /// The part to draw next.

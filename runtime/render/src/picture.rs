@@ -2,14 +2,18 @@
 
 use std::time::Duration;
 
+use chiaro_shader::Shadows;
 use wgpu::{BindGroup, Buffer, Texture};
 
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::kernel::{Slot, buffer, workgroups};
+use crate::lights::{Direct, Lighting};
 use crate::model::{Model, Program};
 use crate::parts::Parts;
 use crate::resolve::Resolver;
+use crate::shade::ShadePass;
+use crate::shadow::{Receivers, ShadowPass, Task};
 use crate::stopwatch::Stopwatch;
 use crate::uniform::{Level, Studio, ViewUniform};
 use crate::view::View;
@@ -32,7 +36,13 @@ pub struct Picture {
     /// Brightness as a factor.
     exposure: f32,
     uses_prepass: bool,
+    lighting: Lighting,
+    direct: Direct,
     buffers: Buffers,
+    /// The shadow methods used so far.
+    shadow_passes: Vec<(Shadows, ShadowPass)>,
+    shade_pass: ShadePass,
+    parameters: Vec<f64>,
     resolver: Resolver,
     levels: Vec<Level>,
     parts: Parts,
@@ -80,9 +90,13 @@ struct Buffers {
     view: Buffer,
     starts: Buffer,
     sums: Buffer,
+    receivers: Receivers,
     prepass_groups: [BindGroup; 2],
     trace_groups: [BindGroup; 2],
 }
+
+/// How direct light is found unless a light or a caller says otherwise.
+const DEFAULT_DIRECT: Direct = Direct::By(Shadows::Hard);
 
 impl Picture {
     /// A picture of `size` pixels (width, height). The studio's lights stand as this view sees them, and stay there
@@ -95,9 +109,13 @@ impl Picture {
             return Err(Error::PictureSize { width, height, longest_edge, most_pixels });
         }
         let levels = levels(size);
-        let buffers = Buffers::new(gpu, model, size, &levels)?;
-        let resolver = Resolver::new(gpu, size, &buffers.sums)?;
         let studio = Studio { floor: model.lowest(gpu)?, azimuth: view.rotation[2].to_radians() };
+        let lighting = Lighting::studio(studio.azimuth);
+        let parts = Parts::new(size);
+        let receivers = Receivers::new(gpu, parts.most_pixels(), &lighting.rows(DEFAULT_DIRECT))?;
+        let buffers = Buffers::new(gpu, model, size, &levels, receivers)?;
+        let shade_pass = ShadePass::new(gpu, &model.graph, &buffers.receivers, &buffers.sums, &buffers.view)?;
+        let resolver = Resolver::new(gpu, size, &buffers.sums)?;
         Ok(Self {
             gpu: gpu.clone(),
             model: model.clone(),
@@ -107,10 +125,15 @@ impl Picture {
             floor: Floor::Measured,
             exposure: 1.0,
             uses_prepass: true,
+            lighting,
+            direct: DEFAULT_DIRECT,
             buffers,
+            shadow_passes: Vec::new(),
+            shade_pass,
+            parameters: model.parameters(),
             resolver,
             levels,
-            parts: Parts::new(size),
+            parts,
             samples: 0,
             has_starts: false,
             timings: Timings::default(),
@@ -127,7 +150,25 @@ impl Picture {
     /// Moves the live numbers to these values, in the order of their ids, and starts anew.
     pub fn set_parameters(&mut self, parameters: &[f64]) -> Result<()> {
         self.model.set_parameters(&self.gpu, parameters)?;
+        for (_, pass) in &self.shadow_passes {
+            pass.set_parameters(&self.gpu, parameters)?;
+        }
+        self.parameters = parameters.to_vec();
         self.place_floor()?;
+        self.restart()
+    }
+
+    /// Lights the scene by these lights instead of the studio's, and starts anew.
+    pub fn set_lighting(&mut self, lighting: Lighting) -> Result<()> {
+        self.lighting = lighting;
+        self.place_lights()?;
+        self.restart()
+    }
+
+    /// Chooses how direct light is found, but for lights that ask for a method of their own, and starts anew.
+    pub fn set_direct(&mut self, direct: Direct) -> Result<()> {
+        self.direct = direct;
+        self.place_lights()?;
         self.restart()
     }
 
@@ -179,7 +220,8 @@ impl Picture {
         let part = self.parts.current();
         let finest = self.levels[self.levels.len() - 1];
         let uniform = self.uniform().at_sample(self.samples, part, finest, self.uses_prepass);
-        let took = self.run(&self.model.trace, &self.buffers.trace_groups, &uniform, part.size)?;
+        let mut took = self.run(&self.model.trace, &self.buffers.trace_groups, &uniform, part.size)?;
+        took += self.light(part.size)?;
         self.timings.so_far += took;
         let complete = self.parts.advance(took);
         if complete {
@@ -221,6 +263,48 @@ impl Picture {
     /// How long the last runs took.
     pub fn timings(&self) -> Timings {
         self.timings
+    }
+
+    /// Lights what the part's pixels see by the lights that are not sampled.
+    fn light(&mut self, size: [u32; 2]) -> Result<Duration> {
+        let mut took = Duration::ZERO;
+        for light in 0..self.lighting.lights.len() {
+            let Direct::By(method) = self.lighting.lights[light].shadows.unwrap_or(self.direct) else {
+                continue;
+            };
+            let light = light as u32;
+            let task = Task { light, sample: self.samples, cells: 0, receivers: size[0] * size[1] };
+            let pass = self.shadow_pass(method)?;
+            took += self.shadow_passes[pass].1.run(&self.gpu, &self.stopwatch, task)?;
+            took += self.shade_pass.run(&self.gpu, &self.stopwatch, light, size)?;
+        }
+        Ok(took)
+    }
+
+    /// The index of a method's pass, which is compiled when first asked for.
+    fn shadow_pass(&mut self, method: Shadows) -> Result<usize> {
+        if let Some(index) = self.shadow_passes.iter().position(|(known, _)| *known == method) {
+            return Ok(index);
+        }
+        let Buffers { receivers, view, .. } = &self.buffers;
+        let pass = ShadowPass::new(&self.gpu, &self.model.graph, method, &self.parameters, receivers, view)?;
+        self.shadow_passes.push((method, pass));
+        Ok(self.shadow_passes.len() - 1)
+    }
+
+    /// Gives the lights to the kernels.
+    fn place_lights(&mut self) -> Result<()> {
+        let rows = self.lighting.rows(self.direct);
+        if self.buffers.receivers.set_lights(&self.gpu, &rows) {
+            return Ok(());
+        }
+        let receivers = Receivers::new(&self.gpu, self.parts.most_pixels(), &rows)?;
+        self.buffers = Buffers::new(&self.gpu, &self.model, self.size, &self.levels, receivers)?;
+        let Buffers { receivers, sums, view, .. } = &self.buffers;
+        self.shade_pass = ShadePass::new(&self.gpu, &self.model.graph, receivers, sums, view)?;
+        self.resolver = Resolver::new(&self.gpu, self.size, sums)?;
+        self.shadow_passes.clear();
+        Ok(())
     }
 
     fn place_floor(&mut self) -> Result<()> {
@@ -272,6 +356,7 @@ impl Picture {
 
     fn uniform(&self) -> ViewUniform {
         ViewUniform::new(&self.view, &self.model.bounds, self.model.lipschitz, self.studio, self.size)
+            .within(&self.lighting)
     }
 
     fn sums(&self) -> Result<Vec<[f32; 4]>> {
@@ -280,18 +365,23 @@ impl Picture {
 }
 
 impl Buffers {
-    fn new(gpu: &Gpu, model: &Model, size: [u32; 2], levels: &[Level]) -> Result<Self> {
+    fn new(gpu: &Gpu, model: &Model, size: [u32; 2], levels: &[Level], receivers: Receivers) -> Result<Self> {
         let pixels = u64::from(size[0]) * u64::from(size[1]);
         let tiles: u64 = levels.iter().map(|level| tiles(size, level.edge)).sum();
         let view = buffer(gpu, "view", Slot::Uniform, size_of::<ViewUniform>() as u64)?;
         let starts = buffer(gpu, "starting depths", Slot::ReadWrite, 8 * tiles)?;
         let sums = buffer(gpu, "sums of samples", Slot::ReadWrite, BYTES_PER_PIXEL * pixels)?;
         let own_prepass = [(0, starts.as_entire_binding())];
-        let own_trace = [(0, starts.as_entire_binding()), (1, sums.as_entire_binding())];
+        let own_trace = [
+            (0, starts.as_entire_binding()),
+            (1, sums.as_entire_binding()),
+            (2, receivers.receivers.as_entire_binding()),
+            (3, receivers.lights.as_entire_binding()),
+        ];
         let prepass_groups =
             [model.prepass.bind_shared(gpu, Some(&view))?, model.prepass.kernel.bind(gpu, 1, &own_prepass)?];
         let trace_groups = [model.trace.bind_shared(gpu, Some(&view))?, model.trace.kernel.bind(gpu, 1, &own_trace)?];
-        Ok(Self { view, starts, sums, prepass_groups, trace_groups })
+        Ok(Self { view, starts, sums, receivers, prepass_groups, trace_groups })
     }
 }
 

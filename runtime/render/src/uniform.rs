@@ -2,7 +2,11 @@
 
 use chiaro_vocabulary::Bounds;
 
+use crate::lights::{Lighting, Surroundings};
 use crate::view::View;
+
+/// The flag of `trace.wgsl`.
+const RECEIVERS_ONLY: u32 = 1;
 
 /// `View` of the templates, field by field.
 #[repr(C)]
@@ -15,6 +19,9 @@ pub(crate) struct ViewUniform {
     box_min: [f32; 4],
     box_max: [f32; 4],
     studio: [f32; 4],
+    zenith: [f32; 4],
+    horizon: [f32; 4],
+    ground: [f32; 4],
     size: [u32; 4],
     part: [u32; 4],
     level: [u32; 4],
@@ -71,6 +78,9 @@ impl ViewUniform {
                 studio.azimuth.cos() as f32,
                 studio.azimuth.sin() as f32,
             ],
+            zenith: [0.0, 0.0, 0.0, 1.0],
+            horizon: [0.0; 4],
+            ground: [0.0; 4],
             size: [size[0], size[1], 0, 0],
             part: [0; 4],
             level: [0; 4],
@@ -82,6 +92,28 @@ impl ViewUniform {
         let before = before.unwrap_or(Level { edge: 0, first: 0 });
         let size = [self.size[0], self.size[1], 0, u32::from(cones)];
         Self { size, level: [level.edge, level.first, before.edge, before.first], ..self }
+    }
+
+    /// Surrounded by a sky, or by the studio.
+    pub(crate) fn within(self, lighting: &Lighting) -> Self {
+        let exposed = |v: [f64; 3], w: f32| {
+            let [x, y, z] = v.map(|x| (x * lighting.exposure) as f32);
+            [x, y, z, w]
+        };
+        match lighting.surroundings {
+            Surroundings::Studio => self,
+            Surroundings::Sky { zenith, horizon, ground } => Self {
+                zenith: exposed(zenith, 0.0),
+                horizon: exposed(horizon, 0.0),
+                ground: exposed(ground, 0.0),
+                ..self
+            },
+        }
+    }
+
+    /// With paths that end at the surfaces seen through the pixels' centres.
+    pub(crate) fn receivers_only(self) -> Self {
+        Self { level: [RECEIVERS_ONLY, self.level[1], self.level[2], self.level[3]], ..self }
     }
 
     /// For a sample of a part, starting at the depths of the prepass's last level or at the box.

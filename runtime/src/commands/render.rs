@@ -5,9 +5,9 @@ use std::process::ExitCode;
 
 use anyhow::Result;
 use chiaro_compiler::Scene;
-use chiaro_compiler::solid::Camera;
+use chiaro_compiler::solid::{Camera, PlacedLight};
 use chiaro_compiler::vocabulary::Bounds;
-use chiaro_render::{Floor, Gpu, Model, Picture, Preference, View};
+use chiaro_render::{Floor, Gpu, Lighting, Model, Picture, Preference, View};
 use indicatif::ProgressBar;
 
 use crate::arguments::{AdapterArguments, Global, Render, SceneArguments};
@@ -72,6 +72,7 @@ pub(crate) fn preference(arguments: &AdapterArguments) -> Preference {
 /// A scene with its picture in progress.
 struct Studio {
     camera: Camera,
+    lights: Vec<PlacedLight>,
     /// The box that is framed where the camera leaves something open.
     frame: Bounds,
     aspect: f64,
@@ -107,7 +108,20 @@ impl Studio {
         let view = View::framing(&camera, &values, &frame, aspect);
         let mut picture = Picture::new(gpu, &model, view, [width, height])?;
         picture.set_floor(floor)?;
-        Ok(Self { camera, frame, aspect, first_view: view, floor, values, clock, picture })
+        let mut studio = Self {
+            camera,
+            lights: scene.lights.clone(),
+            frame,
+            aspect,
+            first_view: view,
+            floor,
+            values,
+            clock,
+            picture,
+        };
+        studio.picture.set_direct(arguments.shadows.0)?;
+        studio.place_lights()?;
+        Ok(studio)
     }
 
     /// Moves the clock, and the camera if the scene moves it. No pipeline is made for it.
@@ -116,6 +130,7 @@ impl Studio {
             self.values[clock] = time;
         }
         self.picture.set_parameters(&self.values)?;
+        self.place_lights()?;
         self.picture.set_view(View::framing(&self.camera, &self.values, &self.frame, self.aspect))?;
         Ok(())
     }
@@ -133,6 +148,16 @@ impl Studio {
         self.picture = Picture::new(gpu, &model, self.first_view, self.picture.size())?;
         self.picture.set_view(view)?;
         self.picture.set_floor(self.floor)?;
+        self.picture.set_direct(arguments.shadows.0)?;
+        self.lights = scene.lights.clone();
+        self.place_lights()
+    }
+
+    /// Lights the scene by its own lights, if it has any.
+    fn place_lights(&mut self) -> Result<()> {
+        if !self.lights.is_empty() {
+            self.picture.set_lighting(Lighting::of(&self.lights, &self.values, &self.frame))?;
+        }
         Ok(())
     }
 

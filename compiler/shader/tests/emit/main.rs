@@ -98,7 +98,7 @@ struct Checked {
 
 /// Splices into every template and validates the modules; prints, parses and validates the text.
 fn checked(graph: &Graph, live: &[f32]) -> Checked {
-    for template in Template::ALL {
+    for template in Template::all() {
         let shader = splice(graph, template).unwrap_or_else(|error| panic!("{}", error.message));
         validate(&shader.module, "");
     }

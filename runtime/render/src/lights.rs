@@ -1,0 +1,340 @@
+//! Lights as the kernels get them: the Rust side of `light.wgsl`.
+
+use chiaro_shader::Shadows;
+use chiaro_solid::{Emitter, Light, PlacedLight, Scalar, Strength};
+use chiaro_vocabulary::Bounds;
+
+mod meter;
+mod polygon;
+
+/// What lights a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lighting {
+    /// The lights.
+    pub lights: Vec<LightSource>,
+    /// What surrounds the scene.
+    pub surroundings: Surroundings,
+    /// By what radiances are multiplied on their way into the picture, where a white surface in full light is
+    /// about 1.
+    pub exposure: f64,
+}
+
+/// A light for the kernels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightSource {
+    /// Its numbers.
+    pub row: LightRow,
+    /// The method that draws its shadows, if it is not the picture's.
+    pub shadows: Option<Direct>,
+}
+
+/// How the light that surfaces get from a light directly is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Direct {
+    /// By random samples of the light: slow, noisy, and right.
+    Sampled,
+    /// By a shadow method.
+    By(Shadows),
+}
+
+/// What surrounds a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Surroundings {
+    /// The studio of scenes without lights.
+    Studio,
+    /// Linear radiances towards the zenith, the horizon, and below it.
+    Sky {
+        /// Straight up.
+        zenith: [f64; 3],
+        /// All around.
+        horizon: [f64; 3],
+        /// Below.
+        ground: [f64; 3],
+    },
+}
+
+/// `Light` of `light.wgsl`, field by field.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct LightRow {
+    a: [f32; 4],
+    b: [f32; 4],
+    c: [f32; 4],
+    d: [f32; 4],
+    radiance: [f32; 4],
+    kind: [u32; 4],
+}
+
+const SPHERE: u32 = 0;
+const DISK: u32 = 1;
+const QUAD: u32 = 2;
+const TUBE: u32 = 3;
+const SUN: u32 = 4;
+
+const TWO_SIDED: u32 = 1;
+const VISIBLE: u32 = 2;
+const RECTANGLE: u32 = 4;
+const SAMPLED: u32 = 8;
+
+/// The radius of a light that is said to have none, in millimetres.
+const POINT_RADIUS: f64 = 0.01;
+/// Square metres in a square millimetre.
+const SQUARE_METRES: f64 = 1e-6;
+
+/// The studio's key light: where it stands as the camera sees it (right, away, up), the sine of its angular radius, and
+/// the irradiance that it gives a surface facing it.
+const KEY_DIRECTION: [f64; 3] = [-0.62, -0.36, 0.70];
+const KEY_SINE: f64 = 0.109;
+const KEY_IRRADIANCE: [f64; 3] = [2.60, 2.45, 2.28];
+
+impl Lighting {
+    /// The studio's, turned about z by an angle in radians.
+    pub fn studio(azimuth: f64) -> Self {
+        let [x, y, z] = KEY_DIRECTION;
+        let (sin, cos) = azimuth.sin_cos();
+        let towards = normalized([x * cos - y * sin, y * cos + x * sin, z]);
+        let radiance = KEY_IRRADIANCE.map(|e| e / (std::f64::consts::PI * KEY_SINE * KEY_SINE));
+        let row = LightRow { a: extended(towards, KEY_SINE), ..LightRow::new(SUN, 0, radiance) };
+        Self { lights: vec![LightSource { row, shadows: None }], surroundings: Surroundings::Studio, exposure: 1.0 }
+    }
+
+    /// A scene's own, for these values of its live numbers, exposed for what lies within `bounds`.
+    pub fn of(lights: &[PlacedLight], parameters: &[f64], bounds: &Bounds) -> Self {
+        let mut lighting = Self {
+            lights: Vec::new(),
+            surroundings: Surroundings::Sky { zenith: [0.0; 3], horizon: [0.0; 3], ground: [0.0; 3] },
+            exposure: 1.0,
+        };
+        for placed in lights {
+            lighting.add(placed, parameters);
+        }
+        lighting.exposure = meter::exposure(&lighting, bounds);
+        lighting
+    }
+
+    /// The lights' rows for the kernels, exposed; those that the picture samples say so. Never empty: a kernel can't
+    /// bind nothing.
+    pub(crate) fn rows(&self, direct: Direct) -> Vec<LightRow> {
+        let dark = LightRow::new(SPHERE, 0, [0.0; 3]);
+        let row = |light: &LightSource| {
+            let sampled = if light.shadows.unwrap_or(direct) == Direct::Sampled { SAMPLED } else { 0 };
+            let radiance = light.row.radiance.map(|x| x * self.exposure as f32);
+            LightRow { radiance, kind: [light.row.kind[0], light.row.kind[1] | sampled, 0, 0], ..light.row }
+        };
+        if self.lights.is_empty() { vec![dark] } else { self.lights.iter().map(row).collect() }
+    }
+
+    fn add(&mut self, placed: &PlacedLight, parameters: &[f64]) {
+        let place = Place::new(placed, parameters);
+        let light = &placed.light;
+        if let Emitter::Environment { zenith, horizon, ground } = &light.emitter {
+            let luminance = place.number(strength(light));
+            let filter = place.linear(&light.color);
+            let of = |color: &[Scalar; 3]| {
+                let color = place.linear(color);
+                [0, 1, 2].map(|i| luminance * filter[i] * color[i])
+            };
+            self.surroundings = Surroundings::Sky { zenith: of(zenith), horizon: of(horizon), ground: of(ground) };
+            return;
+        }
+        let shadows = light.shadows.as_deref().map(|name| match Shadows::named(name) {
+            Some(method) => Direct::By(method),
+            None => Direct::Sampled,
+        });
+        let rows = place.rows(light);
+        self.lights.extend(rows.into_iter().map(|row| LightSource { row, shadows }));
+    }
+}
+
+/// Where a light is, and the values of the live numbers.
+struct Place<'a> {
+    matrix: [[f64; 4]; 3],
+    parameters: &'a [f64],
+}
+
+impl<'a> Place<'a> {
+    fn new(placed: &PlacedLight, parameters: &'a [f64]) -> Self {
+        Self { matrix: placed.placement.value(parameters), parameters }
+    }
+
+    fn number(&self, scalar: &Scalar) -> f64 {
+        scalar.value(self.parameters)
+    }
+
+    /// A colour in sRGB as linear light.
+    fn linear(&self, color: &[Scalar; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|i| linear_from_srgb(self.number(&color[i]).clamp(0.0, 1.0)))
+    }
+
+    fn point(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        self.matrix.map(|row| row[0] * x + row[1] * y + row[2] * z + row[3])
+    }
+
+    fn vector(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        self.matrix.map(|row| row[0] * x + row[1] * y + row[2] * z)
+    }
+
+    /// By how much lengths along x grow.
+    fn scale(&self) -> f64 {
+        length(self.vector([1.0, 0.0, 0.0]))
+    }
+
+    fn rows(&self, light: &Light) -> Vec<LightRow> {
+        let flags = if light.two_sided { TWO_SIDED } else { 0 } | if light.visible { VISIBLE } else { 0 };
+        let sides = if light.two_sided { 2.0 } else { 1.0 };
+        let centre = self.point([0.0; 3]);
+        let row = |kind, area: f64| LightRow::new(kind, flags, self.radiance(light, area));
+        match &light.emitter {
+            Emitter::Sphere { radius } => {
+                let r = (self.number(radius) * self.scale()).max(POINT_RADIUS);
+                let area = 4.0 * std::f64::consts::PI * r * r;
+                vec![LightRow { a: extended(centre, r), ..row(SPHERE, area) }]
+            }
+            Emitter::Disk { radius } => {
+                let r = (self.number(radius) * self.scale()).max(POINT_RADIUS);
+                let area = sides * std::f64::consts::PI * r * r;
+                let normal = cross(self.vector([1.0, 0.0, 0.0]), self.vector([0.0, 1.0, 0.0]));
+                vec![LightRow { a: extended(centre, r), b: extended(normalized(normal), 0.0), ..row(DISK, area) }]
+            }
+            Emitter::Tube { radius, length: long } => {
+                let r = (self.number(radius) * self.scale()).max(POINT_RADIUS);
+                let half = self.vector([0.5 * self.number(long), 0.0, 0.0]);
+                let area = 4.0 * std::f64::consts::PI * r * length(half);
+                vec![LightRow { a: extended(centre, r), b: extended(half, 0.0), ..row(TUBE, area) }]
+            }
+            Emitter::Rect { size } => {
+                let [x, y] = [0, 1].map(|i| 0.5 * self.number(&size[i]));
+                let corners = [[-x, -y], [x, -y], [x, y], [-x, y]];
+                self.flat(light, &corners, flags, sides)
+            }
+            Emitter::Polygon { corners } => {
+                let corners: Vec<[f64; 2]> = corners.iter().map(|c| [0, 1].map(|i| self.number(&c[i]))).collect();
+                self.flat(light, &corners, flags, sides)
+            }
+            Emitter::Sun { angle } => {
+                let sine = (0.5 * self.number(angle)).clamp(1e-5, 1.5).sin();
+                let towards = normalized(self.vector([0.0, 0.0, 1.0]));
+                vec![LightRow { a: extended(towards, sine), ..row(SUN, sine * sine) }]
+            }
+            Emitter::Environment { .. } => Vec::new(),
+        }
+    }
+
+    /// A polygon of the plane z = 0, as convex pieces.
+    fn flat(&self, light: &Light, corners: &[[f64; 2]], flags: u32, sides: f64) -> Vec<LightRow> {
+        let placed = |corner: [f64; 2]| self.point([corner[0], corner[1], 0.0]);
+        let pieces: Vec<[[f64; 3]; 4]> =
+            polygon::quadrilaterals(corners).into_iter().map(|piece| piece.map(placed)).collect();
+        // A mirroring turns the lit side round; the corners have to follow.
+        let lit = cross(self.vector([1.0, 0.0, 0.0]), self.vector([0.0, 1.0, 0.0]));
+        let area: f64 = pieces.iter().map(|piece| 0.5 * length(twice_area(piece))).sum();
+        let radiance = self.radiance(light, sides * area);
+        let row = |mut piece: [[f64; 3]; 4]| {
+            if dot(twice_area(&piece), lit) < 0.0 {
+                piece.reverse();
+            }
+            let rectangle = if is_rectangle(&piece) { RECTANGLE } else { 0 };
+            let [a, b, c, d] = piece.map(|corner| extended(corner, 0.0));
+            LightRow { a, b, c, d, ..LightRow::new(QUAD, flags | rectangle, radiance) }
+        };
+        pieces.into_iter().map(row).collect()
+    }
+
+    /// The radiance of a light with this much shining area, in square millimetres; of a sun, with this square of the
+    /// sine of its angular radius.
+    fn radiance(&self, light: &Light, area: f64) -> [f64; 3] {
+        let pi = std::f64::consts::PI;
+        let luminance = match &light.strength {
+            Strength::Luminance(luminance) => self.number(luminance),
+            Strength::Power(power) => self.number(power) / (pi * area * SQUARE_METRES),
+            Strength::Illuminance(illuminance) => self.number(illuminance) / (pi * area),
+        };
+        let luminance = if luminance.is_finite() { luminance.max(0.0) } else { 0.0 };
+        self.linear(&light.color).map(|filter| luminance * filter)
+    }
+}
+
+impl LightRow {
+    fn new(kind: u32, flags: u32, radiance: [f64; 3]) -> Self {
+        let zero = [0.0; 4];
+        Self { a: zero, b: zero, c: zero, d: zero, radiance: extended(radiance, 0.0), kind: [kind, flags, 0, 0] }
+    }
+
+    /// The same light, as many times as large.
+    pub fn scaled(&self, factor: f64) -> Self {
+        let factor = factor as f32;
+        let mut row = *self;
+        match self.kind[0] {
+            QUAD => {
+                let centre = [0, 1, 2].map(|i| 0.25 * (self.a[i] + self.b[i] + self.c[i] + self.d[i]));
+                for corner in [&mut row.a, &mut row.b, &mut row.c, &mut row.d] {
+                    for i in 0..3 {
+                        corner[i] = centre[i] + factor * (corner[i] - centre[i]);
+                    }
+                }
+            }
+            kind => {
+                row.a[3] *= factor;
+                if kind == SUN {
+                    row.a[3] = row.a[3].min(0.999);
+                }
+                if kind == TUBE {
+                    (0..3).for_each(|i| row.b[i] *= factor);
+                }
+            }
+        }
+        row
+    }
+
+    /// The radius in millimetres, of a sphere.
+    pub fn sphere_radius(&self) -> Option<f64> {
+        (self.kind[0] == SPHERE).then_some(f64::from(self.a[3]))
+    }
+}
+
+fn strength(light: &Light) -> &Scalar {
+    match &light.strength {
+        Strength::Power(strength) | Strength::Luminance(strength) | Strength::Illuminance(strength) => strength,
+    }
+}
+
+/// Linear light from a value of sRGB (IEC 61966-2-1).
+fn linear_from_srgb(value: f64) -> f64 {
+    if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+}
+
+/// The vector area of a quadrilateral, twice.
+fn twice_area([a, b, c, d]: &[[f64; 3]; 4]) -> [f64; 3] {
+    cross(difference(*c, *a), difference(*d, *b))
+}
+
+fn is_rectangle([a, b, c, d]: &[[f64; 3]; 4]) -> bool {
+    let (ab, ad, bc) = (difference(*b, *a), difference(*d, *a), difference(*c, *b));
+    let close = 1e-6 * (length(ab) + length(ad));
+    length(difference(bc, ad)) < close && dot(ab, ad).abs() < close * length(ab).max(length(ad))
+}
+
+fn extended(v: [f64; 3], w: f64) -> [f32; 4] {
+    [v[0] as f32, v[1] as f32, v[2] as f32, w as f32]
+}
+
+fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|i| a[i] - b[i])
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn length(v: [f64; 3]) -> f64 {
+    dot(v, v).sqrt()
+}
+
+fn normalized(v: [f64; 3]) -> [f64; 3] {
+    let length = length(v);
+    if length > 0.0 { v.map(|x| x / length) } else { [0.0, 0.0, 1.0] }
+}

@@ -1,0 +1,110 @@
+//! Shadow passes: how much of a light each receiver of a part sees.
+
+use std::time::Duration;
+
+use chiaro_field::Graph;
+use chiaro_shader::{Shadows, Template};
+use wgpu::{BindGroup, Buffer};
+
+use crate::error::Result;
+use crate::gpu::Gpu;
+use crate::kernel::{Slot, buffer};
+use crate::lights::LightRow;
+use crate::model::{Program, Source};
+use crate::stopwatch::Stopwatch;
+
+/// The size of a `Receiver` in bytes.
+pub(crate) const RECEIVER_BYTES: u64 = 48;
+/// The edge of a dispatch of many workgroups.
+const ROW: u32 = 32768;
+
+/// What the passes of a part share: what its pixels see, and how much of a light each sees.
+#[derive(Clone, Debug)]
+pub(crate) struct Receivers {
+    pub(crate) receivers: Buffer,
+    pub(crate) visibilities: Buffer,
+    pub(crate) lights: Buffer,
+    lights_held: usize,
+}
+
+impl Receivers {
+    /// Room for this many pixels and these lights.
+    pub(crate) fn new(gpu: &Gpu, pixels: u64, lights: &[LightRow]) -> Result<Self> {
+        let rows = buffer(gpu, "lights", Slot::Read, size_of_val(lights) as u64)?;
+        gpu.queue.write_buffer(&rows, 0, bytemuck::cast_slice(lights));
+        Ok(Self {
+            receivers: buffer(gpu, "receivers", Slot::ReadWrite, RECEIVER_BYTES * pixels)?,
+            visibilities: buffer(gpu, "visibilities", Slot::ReadWrite, 16 * pixels)?,
+            lights: rows,
+            lights_held: lights.len(),
+        })
+    }
+
+    /// Changes the lights' numbers, if there are as many as before.
+    pub(crate) fn set_lights(&self, gpu: &Gpu, lights: &[LightRow]) -> bool {
+        if lights.len() == self.lights_held {
+            gpu.queue.write_buffer(&self.lights, 0, bytemuck::cast_slice(lights));
+        }
+        lights.len() == self.lights_held
+    }
+}
+
+/// `Task` of `shadows/kernel.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
+pub(crate) struct Task {
+    pub(crate) light: u32,
+    pub(crate) sample: u32,
+    pub(crate) cells: u32,
+    pub(crate) receivers: u32,
+}
+
+/// A shadow method, compiled for a scene and bound to a part's receivers.
+#[derive(Debug)]
+pub(crate) struct ShadowPass {
+    program: Program,
+    task: Buffer,
+    groups: [BindGroup; 2],
+}
+
+impl ShadowPass {
+    /// Compiles a method; `view` is the uniform of the picture.
+    pub(crate) fn new(
+        gpu: &Gpu,
+        graph: &Graph,
+        method: Shadows,
+        parameters: &[f64],
+        receivers: &Receivers,
+        view: &Buffer,
+    ) -> Result<Self> {
+        let source = Source::of(graph, Template::Shadows(method))?;
+        let slots = [(0, Slot::Read), (1, Slot::Read), (2, Slot::ReadWrite), (3, Slot::Read)];
+        let program = Program::new(gpu, source, "shadow", true, &slots)?;
+        program.set_parameters(gpu, parameters)?;
+        let task = buffer(gpu, "task", Slot::Read, size_of::<Task>() as u64)?;
+        let own = [
+            (0, receivers.receivers.as_entire_binding()),
+            (1, receivers.lights.as_entire_binding()),
+            (2, receivers.visibilities.as_entire_binding()),
+            (3, task.as_entire_binding()),
+        ];
+        let groups = [program.bind_shared(gpu, Some(view))?, program.kernel.bind(gpu, 1, &own)?];
+        Ok(Self { program, task, groups })
+    }
+
+    pub(crate) fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
+        self.program.set_parameters(gpu, parameters)
+    }
+
+    /// Answers for all receivers of a part, and says how long it took.
+    pub(crate) fn run(&self, gpu: &Gpu, stopwatch: &Stopwatch, task: Task) -> Result<Duration> {
+        gpu.queue.write_buffer(&self.task, 0, bytemuck::bytes_of(&task));
+        self.program.kernel.run(gpu, stopwatch, &self.groups.each_ref(), linear_workgroups(task.receivers))
+    }
+}
+
+/// Workgroups of 64 for this many invocations, in rows: no axis of a dispatch may have more than 65535.
+pub(crate) fn linear_workgroups(invocations: u32) -> [u32; 2] {
+    let groups = invocations.div_ceil(64).max(1);
+    [groups.min(ROW), groups.div_ceil(ROW)]
+}
