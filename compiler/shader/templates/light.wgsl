@@ -20,6 +20,8 @@ const LIGHT_VISIBLE: u32 = 2u;
 const LIGHT_RECTANGLE: u32 = 4u;
 /// Paths draw it at random at the first surface too; no shadow method does.
 const LIGHT_SAMPLED: u32 = 8u;
+/// There are so many lights like this one that only one of them is drawn for each receiver and sample.
+const LIGHT_ONE_OF_MANY: u32 = 16u;
 
 struct Light {
     a: vec4<f32>,

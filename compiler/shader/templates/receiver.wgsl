@@ -9,6 +9,22 @@ struct Receiver {
     /// The colour, linear red, green and blue; of the studio's floor, the radiance that its lights add if all is
     /// seen of them. w: the roughness.
     color: vec4<f32>,
+    /// Of more lights than can be looked at one by one, the one that was drawn for this receiver and sample: x: its
+    /// index; y: 1 over the probability of that; 0 for none.
+    drawn: vec4<f32>,
+}
+
+/// Stands for the index of the light that was drawn for a receiver.
+const DRAWN_LIGHT: u32 = 0xffffffffu;
+
+/// The index of a receiver's light, where a pass is about the light of this index.
+fn light_index(receiver: Receiver, index: u32) -> u32 {
+    return select(index, u32(receiver.drawn.x), index == DRAWN_LIGHT);
+}
+
+/// By how much that light counts.
+fn light_weight(receiver: Receiver, index: u32) -> f32 {
+    return select(1.0, receiver.drawn.y, index == DRAWN_LIGHT);
 }
 
 /// Where shadow rays of a receiver start.

@@ -7,7 +7,7 @@
 @group(1) @binding(1) var<storage, read> lights: array<Light>;
 @group(1) @binding(2) var<storage, read> visibilities: array<vec4<f32>>;
 @group(1) @binding(3) var<storage, read_write> sums: array<vec4<f32>>;
-/// x: the light's index.
+/// x: the light's index, or `DRAWN_LIGHT`.
 @group(1) @binding(4) var<storage, read> task: vec4<u32>;
 
 /// The most that one sample may add.
@@ -26,7 +26,8 @@ fn shade(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let visibility = visibilities[place];
     let seen = select(0.0, visibility.x / max(visibility.y, TINY), visibility.y > 0.0);
-    let added = min(seen * reflected(receiver, lights[task.x]), vec3<f32>(MAX_RADIANCE));
+    let light = lights[light_index(receiver, task.x)];
+    let added = min(light_weight(receiver, task.x) * seen * reflected(receiver, light), vec3<f32>(MAX_RADIANCE));
     sums[pixel.y * view.size.x + pixel.x] += vec4<f32>(added, visibility.z);
 }
 

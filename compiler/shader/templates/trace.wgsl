@@ -259,7 +259,9 @@ fn path(pixel: vec2<u32>, start: f32, place: u32) -> vec4<f32> {
             let color = select(clamp(surface.color.rgb, vec3<f32>(0.0), vec3<f32>(1.0)), background * FLOOR_KEY_SHARE, catches);
             let metallic = select(clamp(surface.finish.y, 0.0, 1.0), -1.0, catches);
             let finish = vec4<f32>(color, surface.finish.x);
-            receivers[place] = Receiver(vec4<f32>(position, offset), vec4<f32>(n, metallic), finish);
+            let one = some_light(position, n, unit_square(seed, sample, 60u).x, LIGHT_ONE_OF_MANY);
+            let drawn = vec4<f32>(f32(one.index), one.weight, 0.0, 0.0);
+            receivers[place] = Receiver(vec4<f32>(position, offset), vec4<f32>(n, metallic), finish, drawn);
             if receivers_only {
                 break;
             }

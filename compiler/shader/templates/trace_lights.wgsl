@@ -20,8 +20,24 @@ struct Shining {
     radiance: vec3<f32>,
 }
 
-/// Draws one of the lights that have all of these flags, and a direction towards it.
+/// One of the lights.
+struct Choice {
+    index: u32,
+    /// 1 over the probability that it was chosen; 0 if there was none to choose.
+    weight: f32,
+}
+
+/// Draws a direction towards one of the lights that have all of these flags.
 fn some_light_drawn(p: vec3<f32>, n: vec3<f32>, u: vec2<f32>, choice: f32, flags: u32) -> Drawn {
+    let chosen = some_light(p, n, choice, flags);
+    let light = lights[chosen.index];
+    let sample = light_drawn(light, p, u);
+    let scale = sample.weight * chosen.weight;
+    return Drawn(sample.w, sample.distance, scale * light.radiance.rgb, min(light_bound(light, p).w, 1.0));
+}
+
+/// Draws one of the lights that have all of these flags.
+fn some_light(p: vec3<f32>, n: vec3<f32>, choice: f32, flags: u32) -> Choice {
     var chosen = 0u;
     var weight = 0.0;
     var total = 0.0;
@@ -39,10 +55,7 @@ fn some_light_drawn(p: vec3<f32>, n: vec3<f32>, u: vec2<f32>, choice: f32, flags
             remainder = (remainder - p_chosen) / max(1.0 - p_chosen, TINY);
         }
     }
-    let light = lights[chosen];
-    let sample = light_drawn(light, p, u);
-    let scale = select(0.0, sample.weight * total / max(weight, TINY), weight > 0.0);
-    return Drawn(sample.w, sample.distance, scale * light.radiance.rgb, min(light_bound(light, p).w, 1.0));
+    return Choice(chosen, select(0.0, total / max(weight, TINY), weight > 0.0));
 }
 
 /// About how much of a light's radiance a surface gets; 0 only if it gets none.

@@ -75,6 +75,10 @@ const TWO_SIDED: u32 = 1;
 const VISIBLE: u32 = 2;
 const RECTANGLE: u32 = 4;
 const SAMPLED: u32 = 8;
+const ONE_OF_MANY: u32 = 16;
+
+/// Of more lights than this that share the picture's method, one is drawn for each pixel and sample.
+const MOST_LIGHTS: usize = 8;
 
 /// The radius of a light that is said to have none, in millimetres.
 const POINT_RADIUS: f64 = 0.01;
@@ -112,14 +116,21 @@ impl Lighting {
         lighting
     }
 
-    /// The lights' rows for the kernels, exposed; those that the picture samples say so. Never empty: a kernel can't
-    /// bind nothing.
+    /// Whether so many lights share the picture's method that one is drawn for each pixel and sample.
+    pub(crate) fn are_many(&self) -> bool {
+        self.lights.iter().filter(|light| light.shadows.is_none()).count() > MOST_LIGHTS
+    }
+
+    /// The lights' rows for the kernels, exposed; their flags say how the picture treats them. Never empty: a kernel
+    /// can't bind nothing.
     pub(crate) fn rows(&self, direct: Direct) -> Vec<LightRow> {
         let dark = LightRow::new(SPHERE, 0, [0.0; 3]);
         let row = |light: &LightSource| {
-            let sampled = if light.shadows.unwrap_or(direct) == Direct::Sampled { SAMPLED } else { 0 };
+            let sampled = light.shadows.unwrap_or(direct) == Direct::Sampled;
+            let one_of_many = light.shadows.is_none() && self.are_many();
+            let treatment = if sampled { SAMPLED } else { 0 } | if one_of_many { ONE_OF_MANY } else { 0 };
             let radiance = light.row.radiance.map(|x| x * self.exposure as f32);
-            LightRow { radiance, kind: [light.row.kind[0], light.row.kind[1] | sampled, 0, 0], ..light.row }
+            LightRow { radiance, kind: [light.row.kind[0], light.row.kind[1] | treatment, 0, 0], ..light.row }
         };
         if self.lights.is_empty() { vec![dark] } else { self.lights.iter().map(row).collect() }
     }

@@ -13,7 +13,7 @@ use crate::model::{Model, Program};
 use crate::parts::Parts;
 use crate::resolve::Resolver;
 use crate::shade::ShadePass;
-use crate::shadow::{Receivers, ShadowPass, Task};
+use crate::shadow::{DRAWN_LIGHT, Receivers, ShadowPass, Task};
 use crate::stopwatch::Stopwatch;
 use crate::uniform::{Level, Studio, ViewUniform};
 use crate::view::View;
@@ -268,17 +268,29 @@ impl Picture {
     /// Lights what the part's pixels see by the lights that are not sampled.
     fn light(&mut self, size: [u32; 2]) -> Result<Duration> {
         let mut took = Duration::ZERO;
-        for light in 0..self.lighting.lights.len() {
-            let Direct::By(method) = self.lighting.lights[light].shadows.unwrap_or(self.direct) else {
-                continue;
-            };
-            let light = light as u32;
+        for (light, method) in self.lit_by() {
             let task = Task { light, sample: self.samples, cells: 0, receivers: size[0] * size[1] };
             let pass = self.shadow_pass(method)?;
             took += self.shadow_passes[pass].1.run(&self.gpu, &self.stopwatch, task)?;
             took += self.shade_pass.run(&self.gpu, &self.stopwatch, light, size)?;
         }
         Ok(took)
+    }
+
+    /// The lights that are not sampled, with their methods. Where there are too many, `DRAWN_LIGHT` stands for those that
+    /// share the picture's method.
+    fn lit_by(&self) -> Vec<(u32, Shadows)> {
+        let are_many = self.lighting.are_many();
+        let by_method = |direct: Direct| match direct {
+            Direct::By(method) => Some(method),
+            Direct::Sampled => None,
+        };
+        let drawn = by_method(self.direct).filter(|_| are_many).map(|method| (DRAWN_LIGHT, method));
+        let single = self.lighting.lights.iter().enumerate().filter_map(|(index, light)| {
+            let direct = if are_many { light.shadows } else { light.shadows.or(Some(self.direct)) };
+            Some((index as u32, by_method(direct?)?))
+        });
+        single.chain(drawn).collect()
     }
 
     /// The index of a method's pass, which is compiled when first asked for.

@@ -14,9 +14,12 @@ use crate::model::{Program, Source};
 use crate::stopwatch::Stopwatch;
 
 /// The size of a `Receiver` in bytes.
-pub(crate) const RECEIVER_BYTES: u64 = 48;
+pub(crate) const RECEIVER_BYTES: u64 = 64;
 /// The edge of a dispatch of many workgroups.
 const ROW: u32 = 32768;
+
+/// `DRAWN_LIGHT` of `receiver.wgsl`: stands for the light that was drawn for a receiver.
+pub(crate) const DRAWN_LIGHT: u32 = u32::MAX;
 
 /// What the passes of a part share: what its pixels see, and how much of a light each sees.
 #[derive(Clone, Debug)]

@@ -79,8 +79,8 @@ impl Study {
 
     /// What the pixels see: rows from the top.
     pub fn receivers(&self) -> Result<Vec<Receiver>> {
-        let rows: Vec<[f32; 12]> = bytemuck::pod_collect_to_vec(&self.gpu.read(&self.receivers.receivers)?);
-        let receiver = |row: [f32; 12]| Receiver {
+        let rows: Vec<[f32; 16]> = bytemuck::pod_collect_to_vec(&self.gpu.read(&self.receivers.receivers)?);
+        let receiver = |row: [f32; 16]| Receiver {
             position: [row[0], row[1], row[2]],
             offset: row[3],
             normal: [row[4], row[5], row[6]],

@@ -9,7 +9,7 @@
 
 /// What the methods are told. In a storage buffer, because lavapipe compiles anew for values of uniforms.
 struct Task {
-    /// The light's index.
+    /// The light's index, or `DRAWN_LIGHT`.
     light: u32,
     /// The number of the sample, for methods that draw at random.
     sample: u32,
@@ -36,8 +36,8 @@ fn shadow(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) grou
     }
     let receiver = receivers[index];
     var answer = Visibility(0.0, 0.0, 0u);
-    if receiver.p.w >= 0.0 {
-        answer = visibility(receiver, lights[task.light], index);
+    if receiver.p.w >= 0.0 && light_weight(receiver, task.light) > 0.0 {
+        answer = visibility(receiver, lights[light_index(receiver, task.light)], index);
     }
     visibilities[index] = vec4<f32>(answer.seen, answer.bare, f32(answer.evaluations), 0.0);
 }
