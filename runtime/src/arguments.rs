@@ -104,8 +104,9 @@ pub(crate) struct Render {
     #[arg(long, value_name = "VIEW", allow_hyphen_values = true)]
     pub(crate) view: Option<View>,
 
-    /// How direct light is found: hard, or reference for random samples, slow and right.
-    #[arg(long, value_name = "METHOD", default_value = "hard")]
+    /// How direct light is found: verified (proven cones), another shadow method, or reference (random samples: slow, noisy,
+    /// and right).
+    #[arg(long, value_name = "METHOD", default_value = "verified")]
     pub(crate) shadows: ShadowChoice,
 
     /// Leave out the floor below the scene.

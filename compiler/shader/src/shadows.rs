@@ -5,16 +5,19 @@
 pub enum Shadows {
     /// A ray to the light's centre.
     Hard,
+    /// Cones that are proven free, and cells where they are not.
+    Verified,
 }
 
 impl Shadows {
     /// All of them.
-    pub const ALL: [Shadows; 1] = [Shadows::Hard];
+    pub const ALL: [Shadows; 2] = [Shadows::Hard, Shadows::Verified];
 
     /// Its name, as scenes and command lines write it.
     pub fn name(self) -> &'static str {
         match self {
             Shadows::Hard => "hard",
+            Shadows::Verified => "verified",
         }
     }
 
@@ -26,6 +29,7 @@ impl Shadows {
     pub(crate) fn files(self) -> &'static [&'static str] {
         match self {
             Shadows::Hard => &[KERNEL, DISC, include_str!("../templates/shadows/hard.wgsl")],
+            Shadows::Verified => &[KERNEL, DISC, include_str!("../templates/shadows/verified.wgsl")],
         }
     }
 }

@@ -33,7 +33,7 @@ const MAX_DEPTH: u32 = 2u;
 /// The edge of the prepass's finest tiles.
 const START_EDGE: u32 = 4u;
 /// A hit is nearer to the surface than this part of a pixel.
-const HIT: f32 = 0.25;
+const HIT: f32 = 0.01;
 /// Behind the first surface none counts as smoother than this, or few bright paths would be seen as dots.
 const LAST_ROUGHNESS: f32 = 0.6;
 /// How much of the sky reaches a path's last surface, at a guess.
@@ -231,8 +231,9 @@ fn path(pixel: vec2<u32>, start: f32, place: u32) -> vec4<f32> {
         depth += 1u;
         surface.finish.x = select(surface.finish.x, max(surface.finish.x, LAST_ROUGHNESS), depth > 1u);
         let x = vertex_of(surface, n, -segment.ray.w);
-        let origin = position + 2.0 * h * n;
-        let hit = vec2<f32>(0.5 * h, 0.0);
+        let clearance = max(2.0 * h, view.forward.w * t);
+        let origin = position + clearance * n;
+        let hit = vec2<f32>(0.25 * clearance, 0.0);
         let choice = unit_square(seed, sample, 4u * depth + 3u).x;
         let among = select(0u, LIGHT_SAMPLED, depth == 1u);
         let l = some_light_drawn(origin, n, unit_square(seed, sample, 4u * depth), choice, among);

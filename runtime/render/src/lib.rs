@@ -3,6 +3,7 @@
 //! [`Gpu`] is a device; [`Model`] is a scene compiled for it, slow to make; [`View`] says from where to look;
 //! [`Picture`] gathers samples of what is seen there, and can be shown after each; [`distances`] asks the field itself.
 
+mod cells;
 mod error;
 mod gpu;
 mod kernel;

@@ -271,6 +271,11 @@ impl LightRow {
         Self { a: zero, b: zero, c: zero, d: zero, radiance: extended(radiance, 0.0), kind: [kind, flags, 0, 0] }
     }
 
+    /// A white sphere of radiance 1.
+    pub fn sphere(centre: [f64; 3], radius: f64) -> Self {
+        Self { a: extended(centre, radius), ..Self::new(SPHERE, VISIBLE, [1.0; 3]) }
+    }
+
     /// The same light, as many times as large.
     pub fn scaled(&self, factor: f64) -> Self {
         let factor = factor as f32;

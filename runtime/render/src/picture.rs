@@ -96,7 +96,8 @@ struct Buffers {
 }
 
 /// How direct light is found unless a light or a caller says otherwise.
-const DEFAULT_DIRECT: Direct = Direct::By(Shadows::Hard);
+const DEFAULT_CELLS: u32 = 8;
+const DEFAULT_DIRECT: Direct = Direct::By(Shadows::Verified);
 
 impl Picture {
     /// A picture of `size` pixels (width, height). The studio's lights stand as this view sees them, and stay there
@@ -269,7 +270,7 @@ impl Picture {
     fn light(&mut self, size: [u32; 2]) -> Result<Duration> {
         let mut took = Duration::ZERO;
         for (light, method) in self.lit_by() {
-            let task = Task { light, sample: self.samples, cells: 0, receivers: size[0] * size[1] };
+            let task = Task { light, sample: self.samples, cells: DEFAULT_CELLS, receivers: size[0] * size[1] };
             let pass = self.shadow_pass(method)?;
             took += self.shadow_passes[pass].1.run(&self.gpu, &self.stopwatch, task)?;
             took += self.shade_pass.run(&self.gpu, &self.stopwatch, light, size)?;

@@ -6,6 +6,7 @@ use chiaro_field::Graph;
 use chiaro_shader::{Shadows, Template};
 use wgpu::{BindGroup, Buffer};
 
+use crate::cells::{MOST_CELLS, cells_of_disc};
 use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::kernel::{Slot, buffer};
@@ -84,7 +85,7 @@ impl ShadowPass {
         let slots = [(0, Slot::Read), (1, Slot::Read), (2, Slot::ReadWrite), (3, Slot::Read)];
         let program = Program::new(gpu, source, "shadow", true, &slots)?;
         program.set_parameters(gpu, parameters)?;
-        let task = buffer(gpu, "task", Slot::Read, size_of::<Task>() as u64)?;
+        let task = buffer(gpu, "task", Slot::Read, size_of::<Task>() as u64 + 16 * u64::from(MOST_CELLS))?;
         let own = [
             (0, receivers.receivers.as_entire_binding()),
             (1, receivers.lights.as_entire_binding()),
@@ -101,7 +102,9 @@ impl ShadowPass {
 
     /// Answers for all receivers of a part, and says how long it took.
     pub(crate) fn run(&self, gpu: &Gpu, stopwatch: &Stopwatch, task: Task) -> Result<Duration> {
+        let cells = cells_of_disc(task.cells.clamp(1, MOST_CELLS));
         gpu.queue.write_buffer(&self.task, 0, bytemuck::bytes_of(&task));
+        gpu.queue.write_buffer(&self.task, size_of::<Task>() as u64, bytemuck::cast_slice(&cells));
         self.program.kernel.run(gpu, stopwatch, &self.groups.each_ref(), linear_workgroups(task.receivers))
     }
 }

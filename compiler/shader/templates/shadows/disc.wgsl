@@ -38,5 +38,14 @@ fn disc_of(light: Light, p: vec3<f32>, n: vec3<f32>) -> Disc {
     let tangent = sine / sqrt(1.0 - sine * sine);
     let cosine = dot(n, w);
     let lateral = sqrt(max(1.0 - cosine * cosine, 1e-12));
-    return Disc(w, sine, tangent, light_reach(light, p, w), cosine / (lateral * tangent));
+    // Behind the scene's box nothing covers the cone any more.
+    let t_max = min(light_reach(light, p, w), scene_reach(p, w) * (1.0 + tangent * tangent));
+    return Disc(w, sine, tangent, t_max, cosine / (lateral * tangent));
+}
+
+/// How far along w the scene can reach, as seen from p.
+fn scene_reach(p: vec3<f32>, w: vec3<f32>) -> f32 {
+    let centre = 0.5 * (view.box_min.xyz + view.box_max.xyz);
+    let half = 0.5 * (view.box_max.xyz - view.box_min.xyz);
+    return max(dot(centre - p, w) + dot(half, abs(w)), 0.0);
 }

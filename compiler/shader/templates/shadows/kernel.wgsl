@@ -17,6 +17,8 @@ struct Task {
     cells: u32,
     /// How many receivers there are.
     receivers: u32,
+    /// The cells of a unit disc: centre, share of the area, radius of a disc with that area.
+    cells_of_disc: array<vec4<f32>>,
 }
 
 /// What a method answers.
