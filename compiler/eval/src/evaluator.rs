@@ -5,13 +5,13 @@ use std::hash::BuildHasher;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use chiaro_solid::{Scalar, Solid};
+use chiaro_solid::{PlacedLight, Scalar, Solid};
 use chiaro_syntax::tree::{Name, Statement};
 use chiaro_syntax::{Diagnostic, Sources, Span};
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 
 use crate::functions::{self, BuiltIn, Random};
-use crate::geometry::{Demotion, Stop};
+use crate::geometry::{Aside, Demotion, Stop};
 use crate::live::Live;
 use crate::load::{FileIndex, Library};
 use crate::options::Options;
@@ -64,8 +64,10 @@ pub(crate) struct Evaluator<'t> {
     pub(crate) modules: Vec<Name>,
     /// How many calls there were when evaluating each of the branches under way began that a live number chooses.
     pub(crate) undecided: Vec<(usize, Scalar)>,
-    /// The first instance marked by `!`, and its place in the order of instances.
-    pub(crate) root: Option<(u64, Arc<Solid>)>,
+    /// The first instance marked by `!`.
+    pub(crate) root: Option<Root>,
+    /// What the instance under way has put aside so far; in the end, what the scene has beside its solids.
+    pub(crate) aside: Aside,
     pub(crate) instances: u64,
     /// Where live numbers would have to be known.
     pub(crate) demotions: Vec<Demotion>,
@@ -100,6 +102,14 @@ pub(crate) struct Children<'t> {
     pub(crate) scope: Rc<Scope>,
 }
 
+/// What an instance marked by `!` comes to: all that the scene shows.
+pub(crate) struct Root {
+    /// Its place in the order of instances.
+    pub(crate) order: u64,
+    pub(crate) solid: Arc<Solid>,
+    pub(crate) lights: Vec<PlacedLight>,
+}
+
 /// A call under way.
 pub(crate) struct Call {
     /// The function's or module's name.
@@ -129,6 +139,7 @@ impl<'t> Evaluator<'t> {
             modules: Vec::new(),
             undecided: Vec::new(),
             root: None,
+            aside: Aside::default(),
             instances: 0,
             demotions: Vec::new(),
             diagnostics: Vec::new(),

@@ -7,7 +7,7 @@ use chiaro_solid::{Solid, SolidKind};
 use chiaro_syntax::tree::{Instance, ModuleDefinition, Name, Statement};
 use chiaro_syntax::{Diagnostic, Span};
 
-use crate::evaluator::{Call, Children, Evaluator, Halt, Result, Unit};
+use crate::evaluator::{Call, Children, Evaluator, Halt, Result, Root, Unit};
 use crate::plan::Plan;
 use crate::scope::{Scope, Specials};
 use crate::value::Value;
@@ -97,19 +97,30 @@ impl<'t> Evaluator<'t> {
         let (mark, calls, only_hull) = (self.specials.mark(), self.calls.len(), self.only_hull);
         // What is shown alone is not part of any hull around it.
         self.only_hull &= !instance.modifiers.root;
+        // Meanwhile, aside are only the lights of this instance.
+        let lights_before = std::mem::take(&mut self.aside.lights);
         let result = self.dispatched(instance, scope);
+        let own_lights = std::mem::replace(&mut self.aside.lights, lights_before);
         self.only_hull = only_hull;
         self.specials.restore(mark);
         self.calls.truncate(calls);
         self.leave();
-        let Some(built) = result? else { return Ok(None) };
+        let lights = if instance.modifiers.root { own_lights.clone() } else { Vec::new() };
+        if !instance.modifiers.background {
+            self.aside.lights.extend(own_lights);
+        }
+        let built = match result? {
+            Some(built) => built,
+            None if lights.is_empty() => return Ok(None),
+            None => Built::new(Solid::new(SolidKind::Empty, instance.head), 1),
+        };
         self.count_solid(instance.head)?;
         if built.depth > self.options.limits.solid_depth {
             let message = format!("the solids here are nested more than {} deep", self.options.limits.solid_depth);
             return Err(self.abort(Diagnostic::error(instance.head, message)));
         }
-        if instance.modifiers.root && self.root.as_ref().is_none_or(|(first, _)| order < *first) {
-            self.root = Some((order, built.solid.clone()));
+        if instance.modifiers.root && self.root.as_ref().is_none_or(|first| order < first.order) {
+            self.root = Some(Root { order, solid: built.solid.clone(), lights });
         }
         Ok(if instance.modifiers.background { None } else { Some(built) })
     }
@@ -144,7 +155,10 @@ impl<'t> Evaluator<'t> {
                 self.grouped(instance, scope)
             }
             "children" | "child" => self.given_children(instance, scope),
-            _ => self.geometry(instance, scope).map(Some),
+            _ => {
+                let built = self.geometry(instance, scope)?;
+                Ok(Some(built).filter(|_| !geometry::is_aside(name)))
+            }
         }
     }
 
@@ -334,9 +348,19 @@ impl<'t> Evaluator<'t> {
         let sides = self.sides()?;
         let depth = 1 + children.iter().map(|child| child.depth).max().unwrap_or(0);
         let children = children.into_iter().map(|child| child.solid).collect();
-        let call = geometry::Call { name, head: instance.head, arguments, sides, only_hull: self.only_hull, children };
+        let mut aside = std::mem::take(&mut self.aside);
+        let call = geometry::Call {
+            name,
+            head: instance.head,
+            arguments,
+            sides,
+            only_hull: self.only_hull,
+            children,
+            aside: &mut aside,
+        };
         let mut reports = Vec::new();
         let solid = geometry::build(call, &self.settings, &mut reports);
+        self.aside = aside;
         reports.into_iter().for_each(|report| self.warn(report));
         match solid {
             Some(Ok(solid)) => Ok(Built::new(solid, depth)),

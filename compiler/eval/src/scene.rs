@@ -1,8 +1,10 @@
 //! The scene as a whole: its top level, the files it uses, its view.
 
 use std::rc::Rc;
+use std::sync::Arc;
 
-use chiaro_solid::{Camera, Scalar, Scene};
+use chiaro_solid::affine::Similarity;
+use chiaro_solid::{Camera, Emitter, LiveParameter, PlacedLight, Scalar, Scene, Solid};
 use chiaro_syntax::tree::{Expression, Statement};
 use chiaro_syntax::{Diagnostic, FileId, Severity, SourceFile, Sources, Span, parse};
 
@@ -72,12 +74,7 @@ pub fn evaluate(world: &dyn World, sources: &mut Sources, main: FileId, options:
         diagnostics.sort_by_key(|diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
         let failed = has_errors(&diagnostics);
         diagnostics.splice(0..0, echoes);
-        let scene = result.ok().filter(|_| !failed).map(|(root, camera)| Scene {
-            root,
-            lights: Vec::new(),
-            camera,
-            parameters,
-        });
+        let scene = result.ok().filter(|_| !failed).map(|shown| shown.with(parameters));
         return Evaluation { scene, diagnostics };
     }
 }
@@ -117,19 +114,54 @@ fn definitions(sources: &mut Sources, options: &Options, diagnostics: &mut Vec<D
     definitions
 }
 
+/// What there is to see of a scene.
+struct Shown {
+    root: Arc<Solid>,
+    lights: Vec<PlacedLight>,
+    camera: Camera,
+}
+
+impl Shown {
+    fn with(self, parameters: Vec<LiveParameter>) -> Scene {
+        Scene { root: self.root, lights: self.lights, camera: self.camera, parameters }
+    }
+}
+
 impl<'t> Evaluator<'t> {
-    fn scene(&mut self, definitions: &'t [Definition]) -> Result<(std::sync::Arc<chiaro_solid::Solid>, Camera)> {
+    fn scene(&mut self, definitions: &'t [Definition]) -> Result<Shown> {
         self.default_specials();
         let main = &self.library.files[0];
         let id = self.plan_id(&main.tree.statements);
         let plan = self.plan(id);
         let scope = Rc::new(Scope::outermost(Some(id)));
         self.top_level(&plan, definitions, &scope)?;
-        let camera = self.camera(&plan, definitions);
+        let from_variables = self.camera(&plan, definitions);
         let children = self.instances(&plan, &scope, None)?;
         let built = self.union(children, Span::new(main.id, 0..0));
-        let root = self.root.take().map_or(built.solid, |(_, root)| root);
-        Ok((root, camera))
+        let aside = std::mem::take(&mut self.aside);
+        let camera = aside.camera.map_or(from_variables, |(camera, _)| camera);
+        let (root, lights) = match self.root.take() {
+            Some(root) => (root.solid, root.lights),
+            None => (built.solid, aside.lights),
+        };
+        for light in &lights {
+            self.check_placement(light);
+        }
+        Ok(Shown { root, lights, camera })
+    }
+
+    /// Reports a round light that is scaled unevenly.
+    fn check_placement(&mut self, placed: &PlacedLight) {
+        let is_round = matches!(placed.light.emitter, Emitter::Sphere { .. } | Emitter::Disk { .. } | Emitter::Tube { .. });
+        let is_uneven = match placed.placement.similarity() {
+            Similarity::Uniform(_) => false,
+            Similarity::AtLeast(factor) => factor.constant().is_some(),
+        };
+        if is_round && is_uneven {
+            let message = "a round light can't be scaled by different factors along x, y and z";
+            let hint = "scale it evenly, or use `rect_light` or `polygon_light`, which follow every matrix";
+            self.error(Diagnostic::error(placed.span, message).with_hint(hint));
+        }
     }
 
     fn default_specials(&mut self) {

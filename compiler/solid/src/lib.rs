@@ -10,7 +10,7 @@ pub mod scene;
 pub mod tree;
 
 pub use affine::Affine;
-pub use light::{Emitter, Light, PlacedLight, Strength};
+pub use light::{Emitter, Light, PlacedLight, SHADOW_METHODS, Strength};
 pub use print::print;
 pub use scalar::{LiveParameter, ParameterId, Scalar};
 pub use scene::{Camera, Material, Scene};

@@ -7,6 +7,22 @@ use chiaro_syntax::Span;
 use crate::affine::Affine;
 use crate::scalar::Scalar;
 
+/// What a light's `shadows` may be: the names of the algorithms that draw shadows.
+pub const SHADOW_METHODS: &[&str] = &[
+    "verified",
+    "hard",
+    "quilez2010",
+    "quilez2019",
+    "aaltonen",
+    "cone",
+    "minimal-cone-printed",
+    "minimal-cone",
+    "fast-sphere",
+    "fast-sphere-exact",
+    "proxy",
+    "reference",
+];
+
 /// A light, in its own coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {

@@ -41,6 +41,11 @@ impl View {
         let value = |scalar: &Scalar| scalar.value(parameters);
         let rotation = camera.rotation.as_ref().map_or(DEFAULT_ROTATION, |r| [0, 1, 2].map(|axis| value(&r[axis])));
         let field_of_view = camera.field_of_view.as_ref().map_or(DEFAULT_FIELD_OF_VIEW, value).clamp(0.1, 170.0);
+        if let Some(eye) = &camera.eye {
+            let point = |p: &[Scalar; 3]| [0, 1, 2].map(|axis| value(&p[axis]));
+            let target = camera.target.as_ref().map_or([0.0; 3], point);
+            return View::from_eye(point(eye), target, field_of_view);
+        }
         let bounds = &drawn_bounds(bounds);
         let target = camera.target.as_ref().map(|t| [0, 1, 2].map(|axis| value(&t[axis])));
 
@@ -50,6 +55,14 @@ impl View {
         let distance = camera.distance.as_ref().map_or(fitting, value).max(1e-6 * bounds.diagonal());
         let shifted = |axis: usize| undirected.target[axis] + shift[0] * axes.right[axis] + shift[1] * axes.up[axis];
         View { target: [0, 1, 2].map(shifted), distance, ..undirected }
+    }
+
+    /// From an eye to a target, z upwards.
+    fn from_eye(eye: [f64; 3], target: [f64; 3], field_of_view: f64) -> Self {
+        let [x, y, z] = [0, 1, 2].map(|axis| target[axis] - eye[axis]);
+        let distance = (x * x + y * y + z * z).sqrt().max(1e-9);
+        let rotation = [x.hypot(y).atan2(-z).to_degrees(), 0.0, if x == 0.0 && y == 0.0 { 0.0 } else { (-x).atan2(y).to_degrees() }];
+        View { target, rotation, distance, field_of_view }
     }
 
     /// Where the eye is, in millimetres.
@@ -170,6 +183,18 @@ mod tests {
         let expected =
             View { target: [1.0, 2.0, 3.0], rotation: [10.0, 20.0, 30.0], distance: 140.0, field_of_view: 45.0 };
         assert_eq!(view, expected);
+    }
+
+    #[test]
+    fn an_eye_and_a_target_make_a_view() {
+        for eye in [[3.0, -4.0, 5.0], [0.0, 0.0, 10.0], [0.0, 0.0, -10.0], [-2.0, 7.0, 0.0]] {
+            let camera = Camera {
+                eye: Some(eye.map(Scalar::from)),
+                target: Some([0.5, 0.0, 1.0].map(Scalar::from)),
+                ..Camera::default()
+            };
+            close(View::framing(&camera, &[], &Bounds::centred([1.0; 3]), 1.0).eye(), eye);
+        }
     }
 
     #[test]

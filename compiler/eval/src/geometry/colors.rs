@@ -40,8 +40,17 @@ fn color(instance: &mut Instance) -> Built {
 /// The colour with its opacity; none if none is given, or one that OpenSCAD's dumps mark as invalid.
 fn read_color(instance: &mut Instance) -> Option<[Scalar; 4]> {
     let alpha = instance.number("alpha");
-    let (value, span) = instance.value("c")?;
-    let mut color = match &value {
+    let mut color = read_components(instance, "c")?;
+    if let Some(alpha) = alpha {
+        color[3] = alpha.max(Scalar::ZERO).min(Scalar::ONE);
+    }
+    Some(color)
+}
+
+/// A colour with its opacity, from 0 to 1 each; none if none is given, or none that there is.
+pub(super) fn read_components(instance: &mut Instance, parameter: &str) -> Option<[Scalar; 4]> {
+    let (value, span) = instance.value(parameter)?;
+    let color = match &value {
         Value::String(name) => {
             let Some(color) = parse(name) else {
                 let warning =
@@ -60,12 +69,9 @@ fn read_color(instance: &mut Instance) -> Option<[Scalar; 4]> {
         value => match numbers(value).as_deref() {
             Some([r, g, b]) => [r.clone(), g.clone(), b.clone(), Scalar::ONE],
             Some([r, g, b, a]) => [r.clone(), g.clone(), b.clone(), a.clone()],
-            _ => return instance.unfit("c", value, span, "a colour's name or a list of 3 or 4 numbers"),
+            _ => return instance.unfit(parameter, value, span, "a colour's name or a list of 3 or 4 numbers"),
         },
     };
-    if let Some(alpha) = alpha {
-        color[3] = alpha;
-    }
     if color.iter().any(|component| component.range().max < 0.0) {
         return None;
     }

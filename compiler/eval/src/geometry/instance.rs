@@ -9,7 +9,7 @@ use super::arguments::{self, Bound};
 use super::booleans::union_of;
 use super::facets::Facets;
 use super::make::is_empty;
-use super::{Built, Call, Stop};
+use super::{Aside, Built, Call, Stop};
 use crate::value::Value;
 
 /// One built-in module.
@@ -38,6 +38,8 @@ pub(super) struct Instance<'a> {
     pub(super) only_hull: bool,
     /// What the children came to.
     pub(super) children: Vec<Arc<Solid>>,
+    /// What the children have put aside.
+    pub(super) aside: &'a mut Aside,
     pub(super) arguments: Vec<Bound>,
     diagnostics: &'a mut Vec<Diagnostic>,
 }
@@ -59,6 +61,7 @@ impl<'a> Instance<'a> {
             facets,
             only_hull: call.only_hull,
             children: call.children,
+            aside: call.aside,
             arguments,
             diagnostics,
         }

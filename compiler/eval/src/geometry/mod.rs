@@ -15,6 +15,7 @@ mod extrusions;
 mod facets;
 mod hull;
 mod instance;
+mod lights;
 mod make;
 mod minkowski;
 mod natives;
@@ -46,6 +47,7 @@ use crate::value::Value;
 pub(crate) use booleans::union_of;
 pub use facets::Facets;
 pub(crate) use hull::only_hull_counts;
+pub(crate) use lights::Aside;
 
 use instance::{Instance, Module};
 
@@ -63,6 +65,8 @@ pub(crate) struct Call<'a> {
     pub(crate) only_hull: bool,
     /// What the children came to, in order, the empty ones included (they count as operands).
     pub(crate) children: Vec<Arc<Solid>>,
+    /// What the children have put aside; and what the instance does.
+    pub(crate) aside: &'a mut Aside,
 }
 
 /// An argument of a [`Call`].
@@ -99,7 +103,7 @@ pub(crate) struct Demotion {
 type Built = Result<Arc<Solid>, Stop>;
 
 /// The tables of all files, in the order in which names are looked up.
-const TABLES: [&[Module]; 12] = [
+const TABLES: [&[Module]; 13] = [
     solids::MODULES,
     planes::MODULES,
     polyhedra::MODULES,
@@ -111,6 +115,7 @@ const TABLES: [&[Module]; 12] = [
     hull::MODULES,
     resize::MODULES,
     colors::MODULES,
+    lights::MODULES,
     unsupported::MODULES,
 ];
 
@@ -121,6 +126,11 @@ pub(crate) fn build(call: Call, settings: &Settings, diagnostics: &mut Vec<Diagn
         return Some((module.build)(&mut instance));
     }
     natives::build(call, settings.facets, diagnostics)
+}
+
+/// Whether a built-in module leaves no solid behind, so that its instances are no operands of what is around them.
+pub(crate) fn is_aside(name: &str) -> bool {
+    lights::MODULES.iter().any(|module| module.name == name)
 }
 
 /// The names of all built-in modules that make geometry.

@@ -7,7 +7,7 @@ use chiaro_syntax::tree::{Element, Expression, ExpressionKind, Instance, Stateme
 use chiaro_syntax::{Diagnostic, Dialect, FileId, parse};
 use chiaro_vocabulary::Interval;
 
-use super::{Argument, Call, Facets, Stop, build, union_of};
+use super::{Argument, Aside, Call, Facets, Stop, build, union_of};
 use crate::settings::Settings;
 use crate::value::Value;
 
@@ -64,7 +64,8 @@ fn instantiate(instance: &Instance, settings: &Settings, warnings: &mut Vec<Diag
     let number = arguments.iter().find(|argument| argument.name.as_ref().is_some_and(|name| &*name.node == "$fn"));
     let sides = number.map_or(Value::Undef, |argument| argument.value.clone());
     let only_hull = false;
-    let call = Call { name: &instance.name.node, head: instance.head, arguments, sides, only_hull, children };
+    let mut aside = Aside::default();
+    let call = Call { name: &instance.name.node, head: instance.head, arguments, sides, only_hull, children, aside: &mut aside };
     build(call, settings, warnings).unwrap_or_else(|| panic!("there is no module `{}`", instance.name.node))
 }
 

@@ -130,6 +130,9 @@ fn read_matrix(instance: &mut Instance) -> Result<Option<Affine>, Stop> {
 
 /// The children under a map.
 fn transform(instance: &mut Instance, map: Affine) -> Built {
+    for light in &mut instance.aside.lights {
+        light.placement = map.after(&light.placement);
+    }
     let child = instance.union();
     apply(instance, map, child)
 }
