@@ -2,7 +2,8 @@
 
 use chiaro_shader::Shadows;
 use chiaro_solid::{Emitter, Light, PlacedLight, Scalar, Strength};
-use chiaro_vocabulary::Bounds;
+
+use crate::view::View;
 
 mod meter;
 mod polygon;
@@ -102,8 +103,8 @@ impl Lighting {
         Self { lights: vec![LightSource { row, shadows: None }], surroundings: Surroundings::Studio, exposure: 1.0 }
     }
 
-    /// A scene's own, for these values of its live numbers, exposed for what lies within `bounds`.
-    pub fn of(lights: &[PlacedLight], parameters: &[f64], bounds: &Bounds) -> Self {
+    /// A scene's own, for these values of its live numbers, exposed for what this view looks at.
+    pub fn of(lights: &[PlacedLight], parameters: &[f64], view: &View) -> Self {
         let mut lighting = Self {
             lights: Vec::new(),
             surroundings: Surroundings::Sky { zenith: [0.0; 3], horizon: [0.0; 3], ground: [0.0; 3] },
@@ -112,7 +113,7 @@ impl Lighting {
         for placed in lights {
             lighting.add(placed, parameters);
         }
-        lighting.exposure = meter::exposure(&lighting, bounds);
+        lighting.exposure = meter::exposure(&lighting, &view.subject());
         lighting
     }
 

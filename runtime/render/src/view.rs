@@ -71,6 +71,12 @@ impl View {
         [0, 1, 2].map(|axis| self.target[axis] - self.distance * axes.forward[axis])
     }
 
+    /// A box about what is looked at.
+    pub(crate) fn subject(&self) -> Bounds {
+        let reach = 0.6 * self.distance * self.half_height();
+        Bounds { min: self.target.map(|x| x - reach), max: self.target.map(|x| x + reach) }
+    }
+
     /// Half the picture's height at a distance of 1.
     pub(crate) fn half_height(&self) -> f64 {
         (0.5 * self.field_of_view).to_radians().tan()

@@ -156,7 +156,7 @@ impl Studio {
     /// Lights the scene by its own lights, if it has any.
     fn place_lights(&mut self) -> Result<()> {
         if !self.lights.is_empty() {
-            self.picture.set_lighting(Lighting::of(&self.lights, &self.values, &self.frame))?;
+            self.picture.set_lighting(Lighting::of(&self.lights, &self.values, &self.picture.view()))?;
         }
         Ok(())
     }
