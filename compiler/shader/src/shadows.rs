@@ -3,21 +3,60 @@
 /// An algorithm that answers how much of a light each receiver sees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Shadows {
-    /// A ray to the light's centre.
-    Hard,
     /// Cones that are proven free, and cells where they are not.
     Verified,
+    /// A ray to the light's centre.
+    Hard,
+    /// Quilez 2010: the nearest miss.
+    Quilez2010,
+    /// Quilez 2019: the nearest miss or the deepest hit.
+    Quilez2019,
+    /// Aaltonen 2018: the nearest miss, triangulated.
+    Aaltonen,
+    /// Bálint and Valasek 2018: whether the light's cone is free.
+    Cone,
+    /// Bán, Bálint, Valasek 2019: algorithm 2 as printed.
+    MinimalConePrinted,
+    /// Bán, Bálint, Valasek 2019: algorithm 2 as it must be meant, with the cubic of section 4.1.
+    MinimalCone,
+    /// The same with the exact area of section 4.1.
+    MinimalConeExact,
+    /// The same with longer steps and the receiver's horizon.
+    MinimalConePlus,
+    /// Random rays.
+    MonteCarlo,
 }
 
 impl Shadows {
     /// All of them.
-    pub const ALL: [Shadows; 2] = [Shadows::Hard, Shadows::Verified];
+    pub const ALL: [Shadows; 11] = [
+        Shadows::Verified,
+        Shadows::Hard,
+        Shadows::Quilez2010,
+        Shadows::Quilez2019,
+        Shadows::Aaltonen,
+        Shadows::Cone,
+        Shadows::MinimalConePrinted,
+        Shadows::MinimalCone,
+        Shadows::MinimalConeExact,
+        Shadows::MinimalConePlus,
+        Shadows::MonteCarlo,
+    ];
 
     /// Its name, as scenes and command lines write it.
     pub fn name(self) -> &'static str {
         match self {
-            Shadows::Hard => "hard",
             Shadows::Verified => "verified",
+            Shadows::Hard => "hard",
+            Shadows::Quilez2010 => "quilez2010",
+            Shadows::Quilez2019 => "quilez2019",
+            Shadows::Aaltonen => "aaltonen",
+            Shadows::Cone => "cone",
+            Shadows::MinimalConePrinted => "minimal-cone-printed",
+            Shadows::MinimalCone => "minimal-cone",
+            Shadows::MinimalConeExact => "minimal-cone-exact",
+            Shadows::MinimalConePlus => "minimal-cone-plus",
+            Shadows::MonteCarlo => "monte-carlo",
         }
     }
 
@@ -26,13 +65,36 @@ impl Shadows {
         Self::ALL.into_iter().find(|method| method.name() == name)
     }
 
+    /// Whether it cuts lights into cells, or draws several rays: whether it heeds a number of them.
+    pub fn has_cells(self) -> bool {
+        matches!(self, Shadows::Verified | Shadows::MonteCarlo)
+    }
+
     pub(crate) fn files(self) -> &'static [&'static str] {
         match self {
-            Shadows::Hard => &[KERNEL, DISC, include_str!("../templates/shadows/hard.wgsl")],
             Shadows::Verified => &[KERNEL, DISC, include_str!("../templates/shadows/verified.wgsl")],
+            Shadows::Hard => &[KERNEL, DISC, include_str!("../templates/shadows/hard.wgsl")],
+            Shadows::Quilez2010 => &[KERNEL, DISC, include_str!("../templates/shadows/quilez2010.wgsl")],
+            Shadows::Quilez2019 => &[KERNEL, DISC, include_str!("../templates/shadows/quilez2019.wgsl")],
+            Shadows::Aaltonen => &[KERNEL, DISC, include_str!("../templates/shadows/aaltonen.wgsl")],
+            Shadows::Cone => &[KERNEL, DISC, include_str!("../templates/shadows/cone.wgsl")],
+            Shadows::MinimalConePrinted => {
+                &[KERNEL, DISC, MINIMAL, SMOOTH, include_str!("../templates/shadows/minimal/printed.wgsl")]
+            }
+            Shadows::MinimalCone => &[KERNEL, DISC, MINIMAL, SMOOTH, RESOLVED],
+            Shadows::MinimalConeExact => {
+                &[KERNEL, DISC, MINIMAL, RESOLVED, include_str!("../templates/shadows/minimal/exact.wgsl")]
+            }
+            Shadows::MinimalConePlus => {
+                &[KERNEL, DISC, MINIMAL, SMOOTH, include_str!("../templates/shadows/minimal/plus.wgsl")]
+            }
+            Shadows::MonteCarlo => &[KERNEL, DISC, include_str!("../templates/shadows/monte_carlo.wgsl")],
         }
     }
 }
 
 const KERNEL: &str = include_str!("../templates/shadows/kernel.wgsl");
 const DISC: &str = include_str!("../templates/shadows/disc.wgsl");
+const MINIMAL: &str = include_str!("../templates/shadows/minimal_cone.wgsl");
+const SMOOTH: &str = include_str!("../templates/shadows/minimal/smooth.wgsl");
+const RESOLVED: &str = include_str!("../templates/shadows/minimal/resolved.wgsl");

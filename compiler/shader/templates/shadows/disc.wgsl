@@ -49,3 +49,14 @@ fn scene_reach(p: vec3<f32>, w: vec3<f32>) -> f32 {
     let half = 0.5 * (view.box_max.xyz - view.box_min.xyz);
     return max(dot(centre - p, w) + dot(half, abs(w)), 0.0);
 }
+
+/// Whether a point is so near to a light that it is not seen as a disc.
+fn is_within(light: Light, p: vec3<f32>) -> bool {
+    return light_bound(light, p).w >= 1.0;
+}
+
+/// Whether a light is wholly below the horizon of a point with the normal n.
+fn below_horizon(light: Light, p: vec3<f32>, n: vec3<f32>) -> bool {
+    let cone = light_bound(light, p);
+    return dot(n, cone.xyz) <= -cone.w;
+}

@@ -21,6 +21,8 @@ const TOLERANCE: f32 = 0.1;
 /// Evaluations of the gate and the axis together, and of each cell.
 const MOST_EVALUATIONS: u32 = 256u;
 const MOST_CELL_EVALUATIONS: u32 = 64u;
+/// The most cells that a light is cut into.
+const MOST_CELLS: u32 = 64u;
 /// No bound: the minimum is at an end of the interval.
 const UNBOUNDED: f32 = 1e9;
 
@@ -117,7 +119,7 @@ fn visibility(receiver: Receiver, light: Light, index: u32) -> Visibility {
     let across = basis_across(disc.w);
     let uphill = vec2<f32>(dot(n, across[0]), dot(n, across[1]));
     let up = uphill / max(length(uphill), 1e-9);
-    let cells = max(task.cells, 1u);
+    let cells = clamp(task.cells, 1u, MOST_CELLS);
     let least_step = select(0.6, 0.1, cells == 1u);
 
     // Aim at the middle of what is above the horizon.

@@ -1,0 +1,65 @@
+// Monte Carlo: the part of a light that random rays reach.
+//
+// Theory: Rays are drawn evenly from the directions that a light covers; a scrambled Sobol' sequence of its own for
+// every receiver (see `trace_numbers.wgsl`) spreads them. V is the part of them that is above the horizon and arrives.
+// Practice: One call of the scene: a loop over steps draws the next ray where one ends. `task.sample` is the number of
+// rays drawn before, so that passes add up to one sequence; `task.cells` how many are drawn now.
+
+/// A ray that comes so near arrives at a surface, in offsets.
+const CONTACT: f32 = 0.025;
+const RAY_STEPS: u32 = 600u;
+
+fn visibility(receiver: Receiver, light: Light, index: u32) -> Visibility {
+    let o = shadow_origin(receiver);
+    let n = receiver.n.xyz;
+    if is_within(light, o) {
+        return Visibility(1.0, 1.0, 0u);
+    }
+    if below_horizon(light, o, n) {
+        return Visibility(0.0, 0.0, 0u);
+    }
+    let seed = hash(index, 0x5eedu);
+    let by_irradiance = !(light.kind.x == LIGHT_SPHERE || light.kind.x == LIGHT_SUN);
+    var seen = 0.0;
+    var bare = 0.0;
+    var total = 0.0;
+    var evaluations = 0u;
+    var drawn = 0u;
+    var t = 0.0;
+    var steps = 0u;
+    var weight = 0.0;
+    var reach = -1.0;
+    var w = vec3<f32>(0.0);
+    loop {
+        if t >= reach {
+            // Arrived; the first time round, there is no ray yet.
+            seen += weight;
+            if drawn >= task.cells {
+                break;
+            }
+            let ray = light_drawn(light, o, unit_square(seed, task.sample + drawn, 0u));
+            drawn += 1u;
+            w = ray.w;
+            let cosine = dot(n, w);
+            let share = ray.weight * select(1.0, max(cosine, 0.0), by_irradiance);
+            total += share;
+            weight = select(0.0, share, cosine > 0.0);
+            bare += weight;
+            t = 0.0;
+            steps = 0u;
+            reach = min(ray.distance, scene_reach(o, w));
+            reach = select(reach, -1.0, weight <= 0.0);
+            continue;
+        }
+        let f = scene_distance(o + t * w) / view.eye.w;
+        evaluations += 1u;
+        steps += 1u;
+        t += f;
+        if f < CONTACT * receiver.p.w || steps >= RAY_STEPS {
+            weight = 0.0;
+            t = reach;
+        }
+    }
+    let whole = select(total, bare, by_irradiance);
+    return Visibility(seen / max(whole, TINY), select(bare / max(whole, TINY), f32(bare > 0.0), by_irradiance), evaluations);
+}
