@@ -9,6 +9,7 @@
 //! * `// Field: class, L = 1, bounds [x, y, z] .. [x, y, z]` are the facts about the whole scene.
 //! * `// Parameters: name = default [least to greatest], …` are the live parameters.
 //! * `// Solid:` is followed by the solid tree, each line behind `// | `.
+//! * `// Lights:` is followed by the lights in the same way, and `// Camera:` by what the scene says of its view.
 //!
 //! Every diagnostic has to be expected. The rest is checked where it is written.
 //!
@@ -174,11 +175,13 @@ fn checked(scene: &Scene, evaluator: &Evaluator, line: &str) -> Option<String> {
     if line.starts_with("// Parameters:") {
         return Some(describe_parameters(scene));
     }
-    if line.starts_with("// Solid:") {
-        let tree = solid::print(&scene.solid);
-        return Some(tree.lines().fold("// Solid:".to_owned(), |text, line| format!("{text}\n// | {line}")));
-    }
-    None
+    let (heading, text) = match line {
+        "// Solid:" => (line, solid::print(&scene.solid)),
+        "// Lights:" => (line, solid::print_lights(&scene.lights)),
+        "// Camera:" => (line, solid::print_camera(&scene.camera)),
+        _ => return None,
+    };
+    Some(text.lines().fold(heading.to_owned(), |text, line| format!("{text}\n// | {line}")))
 }
 
 fn checked_distance(scene: &Scene, evaluator: &Evaluator, line: &str, rest: &str) -> String {

@@ -1,7 +1,7 @@
 //! What other languages and libraries call what there is here: hints for names that are unknown, but no mistypings.
 
 /// Their modules, in small letters without `_`, and what to write instead.
-const MODULES: [(&[&str], &str); 11] = [
+const MODULES: [(&[&str], &str); 17] = [
     (
         &["smoothunion", "roundunion", "softunion", "unionround", "blend", "smin", "fillet", "filletunion"],
         "`union(r = …)` joins its children by a fillet of that radius",
@@ -25,17 +25,40 @@ const MODULES: [(&[&str], &str); 11] = [
     (&["move", "shift"], "it is called `translate` here"),
     (&["subtract", "subtraction", "cut", "minus"], "it is called `difference` here"),
     (&["intersect", "and"], "it is called `intersection` here"),
+    (
+        &["light", "lamp", "pointlight", "point", "omnilight", "bulb", "spherelight", "spherical"],
+        "lights are written `sphere_light(r = …)`, `disk_light`, `rect_light`, `tube_light`, `polygon_light`, `sun`",
+    ),
+    (&["spotlight", "spot", "disclight"], "a round flat light is written `disk_light(r = …)`; it shines towards +z"),
+    (&["arealight", "panel", "softbox", "quadlight"], "a rectangular light is written `rect_light([…])`"),
+    (&["directionallight", "dirlight", "distantlight", "sunlight"], "it is called `sun` here"),
+    (
+        &["sky", "skylight", "skydome", "ambientlight", "ambient", "background", "hdri"],
+        "it is called `environment` here",
+    ),
+    (&["lookat", "eye", "viewpoint"], "it is written `camera(eye, target)` here"),
 ];
 
 /// Their parameters, and what these may be called here, the likeliest first.
-const PARAMETERS: [(&[&str], &[&str]); 7] = [
+const PARAMETERS: [(&[&str], &[&str]); 15] = [
     (&["radius", "rad"], &["r"]),
     (&["rounding", "fillet", "round", "smooth", "blend", "k"], &["edge", "r"]),
     (&["chamfer", "profile"], &["joint"]),
     (&["diameter", "dia"], &["d"]),
-    (&["height", "length", "l"], &["h", "height"]),
+    (&["height", "length", "l"], &["h", "height", "length"]),
     (&["centre", "centered", "centred"], &["center"]),
     (&["dimensions", "dim", "dims"], &["size"]),
+    (
+        &["power", "lumen", "lumens", "lm", "flux", "intensity", "energy", "watts"],
+        &["power", "illuminance", "luminance"],
+    ),
+    (&["illuminance", "lux", "lx"], &["illuminance", "power", "luminance"]),
+    (&["brightness", "strength", "radiance", "nits"], &["luminance"]),
+    (&["colour", "c", "tint", "sky"], &["color", "zenith"]),
+    (&["twosided", "double_sided", "doublesided", "both"], &["two_sided"]),
+    (&["direction", "dir", "look_at", "lookat", "center", "at"], &["aim", "target"]),
+    (&["position", "pos", "from", "p"], &["eye"]),
+    (&["angle", "field_of_view", "vpf"], &["fov"]),
 ];
 
 /// How to write what a module of another language is for.

@@ -16,6 +16,9 @@ use crate::{foreign, geometry, suggest};
 /// The modules that are part of the language rather than geometry.
 const CONTROL: [&str; 9] = ["for", "intersection_for", "if", "let", "assign", "echo", "assert", "children", "child"];
 
+/// The work of moving a light or a camera, in steps.
+const ASIDE_STEPS: u64 = 20;
+
 /// A solid and its depth.
 #[derive(Clone)]
 pub(crate) struct Built {
@@ -97,32 +100,33 @@ impl<'t> Evaluator<'t> {
         let (mark, calls, only_hull) = (self.specials.mark(), self.calls.len(), self.only_hull);
         // What is shown alone is not part of any hull around it.
         self.only_hull &= !instance.modifiers.root;
-        // Meanwhile, aside are only the lights of this instance.
-        let lights_before = std::mem::take(&mut self.aside.lights);
+        let before = std::mem::take(&mut self.aside);
         let result = self.dispatched(instance, scope);
-        let own_lights = std::mem::replace(&mut self.aside.lights, lights_before);
+        let aside = std::mem::replace(&mut self.aside, before);
         self.only_hull = only_hull;
         self.specials.restore(mark);
         self.calls.truncate(calls);
         self.leave();
-        let lights = if instance.modifiers.root { own_lights.clone() } else { Vec::new() };
-        if !instance.modifiers.background {
-            self.aside.lights.extend(own_lights);
-        }
         let built = match result? {
             Some(built) => built,
-            None if lights.is_empty() => return Ok(None),
+            None if aside.is_empty() => return Ok(None),
             None => Built::new(Solid::new(SolidKind::Empty, instance.head), 1),
         };
         self.count_solid(instance.head)?;
+        // Where there is light and no solid, there is no operand either.
+        let is_operand = aside.is_empty() || !matches!(built.solid.kind, SolidKind::Empty);
         if built.depth > self.options.limits.solid_depth {
             let message = format!("the solids here are nested more than {} deep", self.options.limits.solid_depth);
             return Err(self.abort(Diagnostic::error(instance.head, message)));
         }
         if instance.modifiers.root && self.root.as_ref().is_none_or(|first| order < first.order) {
-            self.root = Some(Root { order, solid: built.solid.clone(), lights });
+            self.root = Some(Root { order, solid: built.solid.clone(), lights: aside.lights.clone() });
         }
-        Ok(if instance.modifiers.background { None } else { Some(built) })
+        if instance.modifiers.background {
+            return Ok(None);
+        }
+        self.aside.append(aside);
+        Ok(is_operand.then_some(built))
     }
 
     fn dispatched(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Built>> {
@@ -155,10 +159,7 @@ impl<'t> Evaluator<'t> {
                 self.grouped(instance, scope)
             }
             "children" | "child" => self.given_children(instance, scope),
-            _ => {
-                let built = self.geometry(instance, scope)?;
-                Ok(Some(built).filter(|_| !geometry::is_aside(name)))
-            }
+            _ => self.geometry(instance, scope).map(Some),
         }
     }
 
@@ -348,6 +349,7 @@ impl<'t> Evaluator<'t> {
         let sides = self.sides()?;
         let depth = 1 + children.iter().map(|child| child.depth).max().unwrap_or(0);
         let children = children.into_iter().map(|child| child.solid).collect();
+        self.charge(ASIDE_STEPS * self.aside.len() as u64, instance.head)?;
         let mut aside = std::mem::take(&mut self.aside);
         let call = geometry::Call {
             name,

@@ -3,13 +3,12 @@
 use std::rc::Rc;
 use std::sync::Arc;
 
-use chiaro_solid::affine::Similarity;
 use chiaro_solid::{Camera, Emitter, LiveParameter, PlacedLight, Scalar, Scene, Solid};
 use chiaro_syntax::tree::{Expression, Statement};
 use chiaro_syntax::{Diagnostic, FileId, Severity, SourceFile, Sources, Span, parse};
 
 use crate::evaluator::{Evaluator, Result, Unit};
-use crate::geometry::Demotion;
+use crate::geometry::{Demotion, PlacedCamera};
 use crate::live::{Live, Structural};
 use crate::load::{FileIndex, load};
 use crate::options::{Options, World};
@@ -139,28 +138,39 @@ impl<'t> Evaluator<'t> {
         let children = self.instances(&plan, &scope, None)?;
         let built = self.union(children, Span::new(main.id, 0..0));
         let aside = std::mem::take(&mut self.aside);
-        let camera = aside.camera.map_or(from_variables, |(camera, _)| camera);
+        let camera = self.placed_camera(&aside.cameras, from_variables);
         let (root, lights) = match self.root.take() {
             Some(root) => (root.solid, root.lights),
             None => (built.solid, aside.lights),
         };
-        for light in &lights {
-            self.check_placement(light);
-        }
+        self.check_environments(&lights);
         Ok(Shown { root, lights, camera })
     }
 
-    /// Reports a round light that is scaled unevenly.
-    fn check_placement(&mut self, placed: &PlacedLight) {
-        let is_round = matches!(placed.light.emitter, Emitter::Sphere { .. } | Emitter::Disk { .. } | Emitter::Tube { .. });
-        let is_uneven = match placed.placement.similarity() {
-            Similarity::Uniform(_) => false,
-            Similarity::AtLeast(factor) => factor.constant().is_some(),
-        };
-        if is_round && is_uneven {
-            let message = "a round light can't be scaled by different factors along x, y and z";
-            let hint = "scale it evenly, or use `rect_light` or `polygon_light`, which follow every matrix";
-            self.error(Diagnostic::error(placed.span, message).with_hint(hint));
+    /// The last camera that is placed; what it leaves open is as variables say.
+    fn placed_camera(&mut self, cameras: &[PlacedCamera], from_variables: Camera) -> Camera {
+        let Some((last, others)) = cameras.split_last() else { return from_variables };
+        if let Some(first) = others.first() {
+            let message = "the scene has several cameras: the last one counts";
+            self.warn(Diagnostic::warning(last.span, message).with_related(first.span, "the first one"));
+        }
+        let PlacedCamera { eye, target, field_of_view, .. } = last.clone();
+        Camera {
+            eye: Some(eye),
+            target: Some(target),
+            rotation: None,
+            distance: None,
+            field_of_view: field_of_view.or(from_variables.field_of_view),
+        }
+    }
+
+    /// Says that there is only one environment.
+    fn check_environments(&mut self, lights: &[PlacedLight]) {
+        let mut environments =
+            lights.iter().filter(|placed| matches!(placed.light.emitter, Emitter::Environment { .. }));
+        if let (Some(first), Some(last)) = (environments.next(), environments.next_back()) {
+            let message = "the scene has several environments: the last one counts";
+            self.warn(Diagnostic::warning(last.span, message).with_related(first.span, "the first one"));
         }
     }
 

@@ -124,6 +124,14 @@ impl Affine {
         Affine { factor: factor.or_else(|| uniform_factor(&rows)), rows }
     }
 
+    /// Where it takes a point.
+    pub fn point(&self, point: &[Scalar; 3]) -> [Scalar; 3] {
+        array::from_fn(|i| {
+            let products = (0..3).map(|k| &self.rows[i][k] * &point[k]);
+            products.fold(self.rows[i][3].clone(), |sum, product| sum + product)
+        })
+    }
+
     /// The determinant of its linear part.
     pub fn determinant(&self) -> Scalar {
         (0..3).map(|j| self.rows[0][j].clone() * self.cofactor(0, j)).fold(Scalar::ZERO, |sum, term| sum + term)

@@ -11,7 +11,7 @@ pub mod tree;
 
 pub use affine::Affine;
 pub use light::{Emitter, Light, PlacedLight, SHADOW_METHODS, Strength};
-pub use print::print;
+pub use print::{print, print_camera, print_lights};
 pub use scalar::{LiveParameter, ParameterId, Scalar};
 pub use scene::{Camera, Material, Scene};
 pub use tree::{Boolean, Dimension, Joint, Profile, Solid, SolidKind};

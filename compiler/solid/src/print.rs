@@ -3,6 +3,8 @@
 //! Lengths are in millimetres. Angles that a node has for itself are in degrees; shapes show their arguments as WGSL
 //! takes them. Numbers are rounded to six digits; live ones are shown as formulas of the parameters `p0`, `p1`, ….
 
+mod aside;
+
 use std::fmt::Write;
 
 use chiaro_plane::{Edge, Region};
@@ -11,6 +13,8 @@ use crate::affine::Affine;
 use crate::scalar::{Function, Operation, Scalar};
 use crate::scene::Material;
 use crate::tree::{Boolean, Joint, Profile, Solid, SolidKind};
+
+pub use aside::{print_camera, print_lights};
 
 /// Formulas of more operations than this are shown by their range alone.
 const LONGEST_FORMULA: u32 = 40;

@@ -19,8 +19,8 @@ pub struct Scene {
     pub parameters: Vec<LiveParameter>,
 }
 
-/// OpenSCAD's view, as far as the scene sets it by assigning `$vpt`, `$vpr`, `$vpd` and `$vpf` at its top level.
-/// What it leaves open is framed from the bounds.
+/// OpenSCAD's view, as far as the scene sets it by assigning `$vpt`, `$vpr`, `$vpd` and `$vpf` at its top level, or by
+/// `camera`, which counts more. What it leaves open is framed from the bounds.
 #[derive(Clone, Debug, Default)]
 pub struct Camera {
     /// `$vpt`: the point looked at, in millimetres.

@@ -20,7 +20,10 @@ pub(crate) fn run(arguments: &Dump, global: &Global) -> Result<ExitCode> {
             print(&parse(id, &file.text, Dialect::of_file(&file.name)).0)
         }
         (_, None) => return Ok(ExitCode::FAILURE),
-        (Stage::Solid, Some(scene)) => solid::print(&scene.solid),
+        (Stage::Solid, Some(scene)) => {
+            let (lights, camera) = (solid::print_lights(&scene.lights), solid::print_camera(&scene.camera));
+            solid::print(&scene.solid) + &lights + &camera
+        }
         (Stage::Field, Some(scene)) => field::print(&scene.graph),
         (Stage::Wgsl, Some(scene)) => match compile::wgsl(&compilation, scene, global)? {
             Some(text) => text,

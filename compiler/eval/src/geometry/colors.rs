@@ -3,7 +3,7 @@
 mod names;
 
 use chiaro_solid::{Material, Scalar, Solid, SolidKind};
-use chiaro_syntax::Diagnostic;
+use chiaro_syntax::{Diagnostic, Span};
 
 use super::arguments::numbers;
 use super::instance::{Instance, Module, error};
@@ -37,46 +37,58 @@ fn color(instance: &mut Instance) -> Built {
     Ok(Solid::new(SolidKind::Paint(material, child), instance.head))
 }
 
-/// The colour with its opacity; none if none is given, or one that OpenSCAD's dumps mark as invalid.
+/// The colour with its opacity, which may be given apart from it.
 fn read_color(instance: &mut Instance) -> Option<[Scalar; 4]> {
     let alpha = instance.number("alpha");
-    let mut color = read_components(instance, "c")?;
+    let mut color = components(instance, "c", "nothing is painted")?;
     if let Some(alpha) = alpha {
-        color[3] = alpha.max(Scalar::ZERO).min(Scalar::ONE);
+        color[3] = alpha;
     }
-    Some(color)
+    limited(instance, "c", color)
 }
 
-/// A colour with its opacity, from 0 to 1 each; none if none is given, or none that there is.
-pub(super) fn read_components(instance: &mut Instance, parameter: &str) -> Option<[Scalar; 4]> {
+/// A colour with its opacity, if one is given; `otherwise` says what happens if there is no such colour.
+pub(super) fn read(instance: &mut Instance, parameter: &str, otherwise: &str) -> Option<[Scalar; 4]> {
+    let color = components(instance, parameter, otherwise)?;
+    limited(instance, parameter, color)
+}
+
+/// The components as they are written.
+fn components(instance: &mut Instance, parameter: &str, otherwise: &str) -> Option<[Scalar; 4]> {
     let (value, span) = instance.value(parameter)?;
-    let color = match &value {
+    match &value {
         Value::String(name) => {
-            let Some(color) = parse(name) else {
-                let warning =
-                    Diagnostic::warning(span, format!("there is no colour \"{name}\", so that nothing is painted"));
-                let near = suggest::nearest(&name.to_lowercase(), names::NAMES.iter().map(|(name, _)| *name));
-                instance.report(match near {
-                    Some(near) => warning.with_hint(format!("did you mean \"{near}\"?")),
-                    None => {
-                        warning.with_hint("a colour is a name, \"#rrggbb\", \"#rrggbbaa\" or a list of 3 or 4 numbers")
-                    }
-                });
-                return None;
-            };
-            color.map(Scalar::from)
+            let color = parse(name);
+            if color.is_none() {
+                instance.report(unknown(name, span, otherwise));
+            }
+            color.map(|color| color.map(Scalar::from))
         }
         value => match numbers(value).as_deref() {
-            Some([r, g, b]) => [r.clone(), g.clone(), b.clone(), Scalar::ONE],
-            Some([r, g, b, a]) => [r.clone(), g.clone(), b.clone(), a.clone()],
-            _ => return instance.unfit(parameter, value, span, "a colour's name or a list of 3 or 4 numbers"),
+            Some([r, g, b]) => Some([r.clone(), g.clone(), b.clone(), Scalar::ONE]),
+            Some([r, g, b, a]) => Some([r.clone(), g.clone(), b.clone(), a.clone()]),
+            _ => instance.unfit(parameter, value, span, "a colour's name or a list of 3 or 4 numbers"),
         },
-    };
+    }
+}
+
+fn unknown(name: &str, span: Span, otherwise: &str) -> Diagnostic {
+    let warning = Diagnostic::warning(span, format!("there is no colour \"{name}\", so that {otherwise}"));
+    let near = suggest::nearest(&name.to_lowercase(), names::NAMES.iter().map(|(name, _)| *name));
+    match near {
+        Some(near) => warning.with_hint(format!("did you mean \"{near}\"?")),
+        None => warning.with_hint("a colour is a name, \"#rrggbb\", \"#rrggbbaa\" or a list of 3 or 4 numbers"),
+    }
+}
+
+/// The components from 0 to 1; none if OpenSCAD's dumps would mark it as invalid like that.
+fn limited(instance: &mut Instance, parameter: &str, color: [Scalar; 4]) -> Option<[Scalar; 4]> {
     if color.iter().any(|component| component.range().max < 0.0) {
         return None;
     }
     if color.iter().any(|component| component.range().min < 0.0 || component.range().max > 1.0) {
-        instance.warn(span, "a colour's components go from 0 to 1; what is beyond counts as that");
+        let message = "a colour's components go from 0 to 1; what is beyond counts as that";
+        instance.warn(instance.place(parameter), message);
     }
     Some(color.map(|component| component.max(Scalar::ZERO).min(Scalar::ONE)))
 }

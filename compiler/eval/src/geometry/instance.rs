@@ -91,10 +91,16 @@ impl<'a> Instance<'a> {
     /// Says that what stands behind a shape is left out: most often, a semicolon is missing.
     pub(super) fn without_children(&mut self) {
         if let Some(child) = self.children.iter().find(|child| !is_empty(child)) {
-            let message = format!("`{}` takes no children: this is left out", self.name);
-            let warning = Diagnostic::warning(child.span, message).with_related(self.head, "left out here");
-            self.report(warning.with_hint(format!("to have both, end `{}(…)` with `;`", self.name)));
+            self.leave_out(child.span);
         }
+        self.without_aside();
+    }
+
+    /// Says that a child is left out.
+    pub(super) fn leave_out(&mut self, child: Span) {
+        let message = format!("`{}` takes no children: this is left out", self.name);
+        let warning = Diagnostic::warning(child, message).with_related(self.head, "left out here");
+        self.report(warning.with_hint(format!("to have both, end `{}(…)` with `;`", self.name)));
     }
 
     /// The children that are not empty, of the first one's dimension.

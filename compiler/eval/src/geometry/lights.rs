@@ -1,197 +1,179 @@
-//! Lights and the camera: modules that leave no solid behind, but something beside it.
+//! The lights. They leave no solid behind, but something beside it.
+
+mod aim;
+mod corners;
 
 use std::sync::Arc;
 
-use chiaro_solid::{Affine, Camera, Emitter, Light, PlacedLight, SHADOW_METHODS, Scalar, Strength};
+use chiaro_solid::{Affine, Emitter, Light, PlacedLight, SHADOW_METHODS, Scalar, Strength};
 use chiaro_syntax::{Diagnostic, Span};
 
-use super::arguments::numbers;
+use super::colors;
 use super::instance::{Instance, Module, error};
 use super::make::{empty, radians};
-use super::{Built, Stop, colors, decide};
+use super::transforms::is_finite;
+use super::{Built, Stop, decide};
 use crate::suggest;
-use crate::value::Value;
 
-/// What a scene has beside its solids.
-#[derive(Debug, Default)]
-pub(crate) struct Aside {
-    /// The lights, in the order of the text, each where the transforms around it so far put it.
-    pub(crate) lights: Vec<PlacedLight>,
-    /// The last camera, and where it is set.
-    pub(crate) camera: Option<(Camera, Span)>,
-}
-
-macro_rules! light {
-    ($name:literal, [$($positional:literal),*], [$($named:literal),*], $build:ident) => {
-        Module {
-            name: $name,
-            positional: &[$($positional),*],
-            named: &[$($named,)* "power", "luminance", "color", "visible", "shadows"],
-            build: $build,
-        }
-    };
-}
+/// What round lights can be told.
+const ROUND: &[&str] = &["d", "power", "luminance", "color", "visible", "shadows"];
+/// What tubes can be told; OpenSCAD calls the length of a cylinder `h`.
+const TUBE: &[&str] = &["d", "h", "power", "luminance", "color", "visible", "shadows"];
+/// What disks can be told.
+const DISK: &[&str] = &["d", "power", "luminance", "color", "two_sided", "aim", "visible", "shadows"];
+/// What other flat lights can be told.
+const FLAT: &[&str] = &["power", "luminance", "color", "two_sided", "aim", "visible", "shadows"];
+/// What suns can be told.
+const SUN: &[&str] = &["illuminance", "luminance", "color", "aim", "visible", "shadows"];
 
 pub(super) const MODULES: &[Module] = &[
-    light!("sphere_light", ["r"], ["d"], sphere_light),
-    light!("disk_light", ["r"], ["d", "two_sided"], disk_light),
-    light!("rect_light", ["size"], ["two_sided"], rect_light),
-    light!("tube_light", ["r", "length"], ["d"], tube_light),
-    light!("polygon_light", ["points"], ["two_sided"], polygon_light),
-    light!("sun", ["angle"], ["illuminance"], sun),
-    light!("environment", ["zenith"], ["horizon", "ground"], environment),
-    Module { name: "camera", positional: &["eye", "target", "fov"], named: &[], build: camera },
+    Module { name: "sphere_light", positional: &["r"], named: ROUND, build: sphere_light },
+    Module { name: "disk_light", positional: &["r"], named: DISK, build: disk_light },
+    Module { name: "rect_light", positional: &["size"], named: FLAT, build: rect_light },
+    Module { name: "tube_light", positional: &["r", "length"], named: TUBE, build: tube_light },
+    Module { name: "polygon_light", positional: &["points"], named: FLAT, build: polygon_light },
+    Module { name: "sun", positional: &["angle"], named: SUN, build: sun },
+    Module {
+        name: "environment",
+        positional: &["color"],
+        named: &["zenith", "horizon", "ground", "luminance"],
+        build: environment,
+    },
 ];
 
 /// The luminous flux of a light that doesn't say, in lumens.
 const POWER: f64 = 1000.0;
 /// The illuminance of a sun that doesn't say, in lux.
 const SUNLIGHT: f64 = 100_000.0;
-/// The luminance of a sky that doesn't say, in candela per square metre.
-const SKY: f64 = 2_000.0;
+/// The luminance of an environment that doesn't say, in candela per square metre.
+const SKYLIGHT: f64 = 2_000.0;
 /// The angle that the sun is seen under, in degrees.
 const SUN_ANGLE: f64 = 0.53;
+/// A sun can't be seen under more than this, in degrees.
+const WIDEST_SUN: f64 = 170.0;
 
 fn sphere_light(instance: &mut Instance) -> Built {
     let radius = instance.radius("r", "d").unwrap_or(Scalar::ONE);
-    let place = instance.place_of_radius();
-    require(&radius, Least::Zero, place, "a light's radius")?;
-    light(instance, Emitter::Sphere { radius })
+    check_size(&radius, Least::Zero, instance.place_of_radius())?;
+    lamp(instance, Emitter::Sphere { radius }, Affine::identity())
 }
 
 fn disk_light(instance: &mut Instance) -> Built {
     let radius = instance.radius("r", "d").unwrap_or(Scalar::ONE);
-    let place = instance.place_of_radius();
-    require(&radius, Least::AboveZero, place, "the radius of a flat light")?;
-    light(instance, Emitter::Disk { radius })
+    check_size(&radius, Least::More, instance.place_of_radius())?;
+    flat(instance, Emitter::Disk { radius })
 }
 
 fn rect_light(instance: &mut Instance) -> Built {
     let size = instance.number_or_vector::<2>("size", 2, 0.0).unwrap_or([Scalar::ONE, Scalar::ONE]);
     for side in &size {
-        require(side, Least::AboveZero, instance.place("size"), "the side of a light")?;
+        check_size(side, Least::More, instance.place("size"))?;
     }
-    light(instance, Emitter::Rect { size })
+    flat(instance, Emitter::Rect { size })
 }
 
 fn tube_light(instance: &mut Instance) -> Built {
     let radius = instance.radius("r", "d").unwrap_or(Scalar::ONE);
-    let length = instance.number("length").unwrap_or(Scalar::from(10.0));
-    let place = instance.place_of_radius();
-    require(&radius, Least::AboveZero, place, "the radius of a tube")?;
-    require(&length, Least::AboveZero, instance.place("length"), "the length of a tube")?;
-    light(instance, Emitter::Tube { radius, length })
+    check_size(&radius, Least::More, instance.place_of_radius())?;
+    let name = if instance.value("length").is_some() { "length" } else { "h" };
+    if name == "length" && instance.value("h").is_some() {
+        instance.warn(instance.place("h"), "`h` is ignored, because `length` is given too");
+    }
+    let length = instance.number(name).unwrap_or(Scalar::ONE);
+    check_size(&length, Least::More, instance.place(name))?;
+    lamp(instance, Emitter::Tube { radius, length }, Affine::identity())
 }
 
 fn polygon_light(instance: &mut Instance) -> Built {
-    let Some((value, span)) = instance.value("points") else {
-        return Err(error(instance.head, "`polygon_light` needs `points`, a list of three or more [x, y]"));
-    };
-    let point = |value: &Value| match numbers(value).as_deref() {
-        Some([x, y, ..]) => Some([x.clone(), y.clone()]),
-        _ => None,
-    };
-    let corners: Option<Vec<[Scalar; 2]>> = match &value {
-        Value::List(points) if points.len() >= 3 => points.iter().map(point).collect(),
-        _ => None,
-    };
-    let Some(corners) = corners else {
-        return Err(error(span, "`points` of `polygon_light` has to be a list of three or more [x, y]"));
-    };
-    for coordinate in corners.iter().flatten() {
-        require(coordinate, Least::Any, span, "a corner of a light")?;
-    }
-    light(instance, Emitter::Polygon { corners })
+    let corners = corners::read(instance)?;
+    flat(instance, Emitter::Polygon { corners })
 }
 
 fn sun(instance: &mut Instance) -> Built {
     let angle = instance.number("angle").unwrap_or(Scalar::from(SUN_ANGLE));
-    require(&angle, Least::Zero, instance.place("angle"), "the angle of a sun")?;
-    light(instance, Emitter::Sun { angle: radians(angle.min(Scalar::from(179.0))) })
+    let span = instance.place("angle");
+    let reason = "whether a sun's angle is within its bounds";
+    let is_narrow = !decide::is_negative(&(Scalar::from(WIDEST_SUN) - angle.clone()), span, reason)?;
+    if !is_finite(&angle) || !is_narrow || decide::is_negative(&angle, span, reason)? {
+        return Err(error(span, format!("a sun is seen under an angle from 0 to {WIDEST_SUN} degrees")));
+    }
+    // A sun stands where +z is, so that it shines towards −z.
+    let placement = aim::read(instance)?.map_or_else(Affine::identity, |aim| aim.backwards());
+    let strength = match luminance(instance, "illuminance")? {
+        Some(luminance) => luminance,
+        None => Strength::Illuminance(brightness(instance, "illuminance", SUNLIGHT)?),
+    };
+    shine(instance, Emitter::Sun { angle: radians(angle) }, strength, placement)
 }
 
 fn environment(instance: &mut Instance) -> Built {
-    let white = || [Scalar::ONE, Scalar::ONE, Scalar::ONE];
-    let zenith = filter(instance, "zenith").unwrap_or_else(white);
-    let horizon = filter(instance, "horizon").unwrap_or_else(|| zenith.clone());
-    let ground = filter(instance, "ground").unwrap_or_else(|| horizon.clone());
-    light(instance, Emitter::Environment { zenith, horizon, ground })
+    let zenith = tint(instance, "zenith").unwrap_or([Scalar::ONE, Scalar::ONE, Scalar::ONE]);
+    let horizon = tint(instance, "horizon").unwrap_or_else(|| zenith.clone());
+    let ground = tint(instance, "ground").unwrap_or_else(|| horizon.clone());
+    let strength = Strength::Luminance(brightness(instance, "luminance", SKYLIGHT)?);
+    shine(instance, Emitter::Environment { zenith, horizon, ground }, strength, Affine::identity())
 }
 
-fn camera(instance: &mut Instance) -> Built {
-    let eye = instance.vector::<3>("eye", 3, 0.0);
-    let target = instance.vector::<3>("target", 3, 0.0);
-    let field_of_view = instance.number("fov");
-    for (parameter, given) in [("eye", &eye), ("target", &target)] {
-        for coordinate in given.iter().flatten() {
-            require(coordinate, Least::Any, instance.place(parameter), "a point of the camera")?;
-        }
-    }
-    if let Some(angle) = &field_of_view {
-        require(angle, Least::AboveZero, instance.place("fov"), "the field of view")?;
-    }
-    instance.without_children();
-    if let Some((_, first)) = instance.aside.camera {
-        let message = "there is another `camera` in the scene; the last one counts";
-        instance.report(Diagnostic::warning(instance.head, message).with_related(first, "set here before"));
-    }
-    let camera = Camera { eye, target, rotation: None, distance: None, field_of_view };
-    instance.aside.camera = Some((camera, instance.head));
-    Ok(empty(instance.head))
+/// A flat light, which may be aimed.
+fn flat(instance: &mut Instance, emitter: Emitter) -> Built {
+    let placement = aim::read(instance)?.map_or_else(Affine::identity, |aim| aim.forwards());
+    lamp(instance, emitter, placement)
 }
 
-/// Puts a light of this shape aside, with what all lights have in common.
-fn light(instance: &mut Instance, emitter: Emitter) -> Built {
+/// A light that has a power or a luminance.
+fn lamp(instance: &mut Instance, emitter: Emitter, placement: Affine) -> Built {
+    let strength = match luminance(instance, "power")? {
+        Some(luminance) => luminance,
+        None => Strength::Power(brightness(instance, "power", POWER)?),
+    };
+    shine(instance, emitter, strength, placement)
+}
+
+/// Puts a light aside.
+fn shine(instance: &mut Instance, emitter: Emitter, strength: Strength, placement: Affine) -> Built {
     instance.without_children();
-    let two_sided = instance.flag("two_sided")?;
-    let visible = instance.value("visible").is_none() || instance.flag("visible")?;
     let light = Light {
-        strength: strength(instance, &emitter)?,
-        color: filter(instance, "color").unwrap_or([Scalar::ONE, Scalar::ONE, Scalar::ONE]),
-        two_sided,
-        visible,
-        shadows: shadows(instance)?,
         emitter,
+        strength,
+        color: tint(instance, "color").unwrap_or([Scalar::ONE, Scalar::ONE, Scalar::ONE]),
+        two_sided: instance.flag("two_sided")?,
+        visible: instance.value("visible").is_none() || instance.flag("visible")?,
+        shadows: shadows(instance)?,
     };
-    let placed = PlacedLight { light, placement: Affine::identity(), span: instance.head };
-    instance.aside.lights.push(placed);
+    instance.aside.lights.push(PlacedLight { light, placement, span: instance.head });
     Ok(empty(instance.head))
 }
 
-fn strength(instance: &mut Instance, emitter: &Emitter) -> Result<Strength, Stop> {
-    let given = ["luminance", "power", "illuminance"].map(|name| (name, instance.value(name)));
-    let mut given = given.into_iter().filter_map(|(name, value)| value.map(|(_, span)| (name, span)));
-    let first = given.next();
-    if let (Some((first, _)), Some((second, span))) = (first, given.next()) {
-        instance.warn(span, format!("`{second}` is ignored, because `{first}` is given too"));
+/// The luminance, if it is given; it counts more than what else says how bright a light is.
+fn luminance(instance: &mut Instance, other: &str) -> Result<Option<Strength>, Stop> {
+    if instance.value("luminance").is_none() {
+        return Ok(None);
     }
-    let kind: fn(Scalar) -> Strength = match (first.map(|(name, _)| name), emitter) {
-        (Some("power"), Emitter::Sun { .. } | Emitter::Environment { .. }) => {
-            let message = format!("`{}` is infinitely far away and has no power in lumens", instance.name);
-            let hint = match emitter {
-                Emitter::Sun { .. } => "give `illuminance`, in lux",
-                _ => "give `luminance`, in candela per square metre",
-            };
-            let diagnostic = Diagnostic::error(instance.place("power"), message).with_hint(hint);
-            return Err(Stop::Error(Box::new(diagnostic)));
-        }
-        (Some("luminance"), _) | (None, Emitter::Environment { .. }) => Strength::Luminance,
-        (Some("illuminance"), _) | (None, Emitter::Sun { .. }) => Strength::Illuminance,
-        _ => Strength::Power,
-    };
-    let default = match emitter {
-        Emitter::Sun { .. } => SUNLIGHT,
-        Emitter::Environment { .. } => SKY,
-        _ => POWER,
-    };
-    let number = first.and_then(|(name, _)| instance.number(name)).unwrap_or(Scalar::from(default));
-    require(&number, Least::Zero, first.map_or(instance.head, |(_, span)| span), "the strength of a light")?;
-    Ok(kind(number))
+    if instance.value(other).is_some() {
+        instance.warn(instance.place(other), format!("`{other}` is ignored, because `luminance` is given too"));
+    }
+    let Some(luminance) = instance.number("luminance") else { return Ok(None) };
+    check_brightness(&luminance, "luminance", instance.place("luminance"))?;
+    Ok(Some(Strength::Luminance(luminance)))
 }
 
-/// A colour without opacity.
-fn filter(instance: &mut Instance, parameter: &str) -> Option<[Scalar; 3]> {
-    colors::read_components(instance, parameter).map(|[r, g, b, _]| [r, g, b])
+fn brightness(instance: &mut Instance, parameter: &str, default: f64) -> Result<Scalar, Stop> {
+    let number = instance.number(parameter).unwrap_or(Scalar::from(default));
+    check_brightness(&number, parameter, instance.place(parameter))?;
+    Ok(number)
+}
+
+fn check_brightness(number: &Scalar, parameter: &str, span: Span) -> Result<(), Stop> {
+    if !is_finite(number) || decide::is_negative(number, span, "whether a light's brightness is negative")? {
+        return Err(error(span, format!("`{parameter}` has to be finite and cannot be negative")));
+    }
+    Ok(())
+}
+
+/// A colour, of which the opacity does not matter.
+fn tint(instance: &mut Instance, parameter: &'static str) -> Option<[Scalar; 3]> {
+    let [red, green, blue, _] = colors::read(instance, parameter, "white is used")?;
+    Some([red, green, blue])
 }
 
 fn shadows(instance: &mut Instance) -> Result<Option<Arc<str>>, Stop> {
@@ -199,29 +181,31 @@ fn shadows(instance: &mut Instance) -> Result<Option<Arc<str>>, Stop> {
     if SHADOW_METHODS.contains(&&*name) {
         return Ok(Some(name));
     }
-    let mut unknown = Diagnostic::error(span, format!("there is no shadow method \"{name}\""));
-    unknown.hints.extend(suggest::hint(&name, SHADOW_METHODS.iter().copied()));
-    Err(Stop::Error(Box::new(unknown.with_hint(format!("there are: {}", SHADOW_METHODS.join(", "))))))
+    let unknown = Diagnostic::error(span, format!("there is no shadow method \"{name}\""));
+    let hint = match suggest::nearest(&name, SHADOW_METHODS.iter().copied()) {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None => format!("there are {}", SHADOW_METHODS.join(", ")),
+    };
+    Err(Stop::Error(Box::new(unknown.with_hint(hint))))
 }
 
-/// The least that a number of a light may be.
-#[derive(PartialEq)]
+/// What a size has to be at the least. Where a live one may be 0, the light is dark or a point then.
+#[derive(Clone, Copy, PartialEq)]
 enum Least {
-    Any,
     Zero,
-    AboveZero,
+    More,
 }
 
-fn require(number: &Scalar, least: Least, span: Span, what: &str) -> Result<(), Stop> {
-    if number.constant().is_some_and(|value| !value.is_finite()) {
-        return Err(error(span, format!("{what} has to be a finite number")));
+fn check_size(size: &Scalar, least: Least, span: Span) -> Result<(), Stop> {
+    if !is_finite(size) {
+        return Err(error(span, "the size of a light has to be finite"));
     }
-    let reason = "whether a light's number is allowed";
-    if least != Least::Any && decide::is_negative(number, span, reason)? {
-        return Err(error(span, format!("{what} can't be negative")));
+    if decide::is_negative(size, span, "whether a light's size is negative")? {
+        return Err(error(span, "the size of a light cannot be negative"));
     }
-    if least == Least::AboveZero && number.is(0.0) {
-        return Err(error(span, format!("{what} has to be more than zero")));
+    if least == Least::More && size.is(0.0) {
+        let none = Diagnostic::error(span, "a light of this shape needs a size");
+        return Err(Stop::Error(Box::new(none.with_hint("`sphere_light(r = 0)` is a point"))));
     }
     Ok(())
 }

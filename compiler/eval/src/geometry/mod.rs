@@ -4,8 +4,10 @@
 //! function from an [`Instance`] to a solid, and one row in the table of its file.
 
 mod arguments;
+mod aside;
 mod balls;
 mod booleans;
+mod camera;
 mod colors;
 mod convexity;
 mod decide;
@@ -44,10 +46,10 @@ use chiaro_syntax::{Diagnostic, Span, Spanned};
 use crate::settings::Settings;
 use crate::value::Value;
 
+pub(crate) use aside::{Aside, PlacedCamera};
 pub(crate) use booleans::union_of;
 pub use facets::Facets;
 pub(crate) use hull::only_hull_counts;
-pub(crate) use lights::Aside;
 
 use instance::{Instance, Module};
 
@@ -65,7 +67,7 @@ pub(crate) struct Call<'a> {
     pub(crate) only_hull: bool,
     /// What the children came to, in order, the empty ones included (they count as operands).
     pub(crate) children: Vec<Arc<Solid>>,
-    /// What the children have put aside; and what the instance does.
+    /// What the children have put aside; the instance moves it, and adds its own.
     pub(crate) aside: &'a mut Aside,
 }
 
@@ -103,7 +105,7 @@ pub(crate) struct Demotion {
 type Built = Result<Arc<Solid>, Stop>;
 
 /// The tables of all files, in the order in which names are looked up.
-const TABLES: [&[Module]; 13] = [
+const TABLES: [&[Module]; 14] = [
     solids::MODULES,
     planes::MODULES,
     polyhedra::MODULES,
@@ -116,6 +118,7 @@ const TABLES: [&[Module]; 13] = [
     resize::MODULES,
     colors::MODULES,
     lights::MODULES,
+    camera::MODULES,
     unsupported::MODULES,
 ];
 
@@ -126,11 +129,6 @@ pub(crate) fn build(call: Call, settings: &Settings, diagnostics: &mut Vec<Diagn
         return Some((module.build)(&mut instance));
     }
     natives::build(call, settings.facets, diagnostics)
-}
-
-/// Whether a built-in module leaves no solid behind, so that its instances are no operands of what is around them.
-pub(crate) fn is_aside(name: &str) -> bool {
-    lights::MODULES.iter().any(|module| module.name == name)
 }
 
 /// The names of all built-in modules that make geometry.

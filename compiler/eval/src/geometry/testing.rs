@@ -65,7 +65,8 @@ fn instantiate(instance: &Instance, settings: &Settings, warnings: &mut Vec<Diag
     let sides = number.map_or(Value::Undef, |argument| argument.value.clone());
     let only_hull = false;
     let mut aside = Aside::default();
-    let call = Call { name: &instance.name.node, head: instance.head, arguments, sides, only_hull, children, aside: &mut aside };
+    let (name, head) = (&*instance.name.node, instance.head);
+    let call = Call { name, head, arguments, sides, only_hull, children, aside: &mut aside };
     build(call, settings, warnings).unwrap_or_else(|| panic!("there is no module `{}`", instance.name.node))
 }
 

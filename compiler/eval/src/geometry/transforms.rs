@@ -10,7 +10,7 @@ use super::arguments::numbers;
 use super::decide::{self, Sign};
 use super::instance::{Instance, Module};
 use super::make::{empty, is_empty, transformed};
-use super::{Built, Stop};
+use super::{Aside, Built, Stop};
 use crate::value::Value;
 
 pub(super) const MODULES: &[Module] = &[
@@ -103,7 +103,10 @@ fn mirror(instance: &mut Instance) -> Built {
 fn multmatrix(instance: &mut Instance) -> Built {
     match read_matrix(instance)? {
         Some(map) => transform(instance, map),
-        None => Ok(empty(instance.head)),
+        None => {
+            *instance.aside = Aside::default();
+            Ok(empty(instance.head))
+        }
     }
 }
 
@@ -130,9 +133,7 @@ fn read_matrix(instance: &mut Instance) -> Result<Option<Affine>, Stop> {
 
 /// The children under a map.
 fn transform(instance: &mut Instance, map: Affine) -> Built {
-    for light in &mut instance.aside.lights {
-        light.placement = map.after(&light.placement);
-    }
+    instance.move_aside(&map)?;
     let child = instance.union();
     apply(instance, map, child)
 }
@@ -176,7 +177,7 @@ pub(super) fn planar(map: &Affine) -> Affine {
 }
 
 /// Whether a map keeps its dimensions apart.
-fn is_regular(map: &Affine, span: Span) -> Result<bool, Stop> {
+pub(super) fn is_regular(map: &Affine, span: Span) -> Result<bool, Stop> {
     let reason = "whether a matrix flattens what it is applied to";
     if let Similarity::Uniform(factor) = map.similarity() {
         return Ok(decide::sign(&factor, span, reason)? != Sign::Zero);
@@ -190,12 +191,12 @@ fn is_regular(map: &Affine, span: Span) -> Result<bool, Stop> {
 }
 
 /// Whether a number is finite. A live one is, within its range.
-fn is_finite(number: &Scalar) -> bool {
+pub(super) fn is_finite(number: &Scalar) -> bool {
     number.constant().is_none_or(f64::is_finite)
 }
 
 /// Whether a vector has a direction.
-fn is_nonzero(vector: &[Scalar; 3], span: Span, reason: &'static str) -> Result<bool, Stop> {
+pub(super) fn is_nonzero(vector: &[Scalar; 3], span: Span, reason: &'static str) -> Result<bool, Stop> {
     let mut undecided = None;
     for component in vector {
         match decide::sign(component, span, reason) {
