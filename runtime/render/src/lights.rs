@@ -186,6 +186,13 @@ impl<'a> Place<'a> {
         self.matrix.map(|row| row[0] * x + row[1] * y + row[2] * z)
     }
 
+    /// At a right angle to what was the plane z = 0, on the side where +z went.
+    fn lit_side(&self) -> [f64; 3] {
+        let normal = cross(self.vector([1.0, 0.0, 0.0]), self.vector([0.0, 1.0, 0.0]));
+        let is_mirrored = dot(normal, self.vector([0.0, 0.0, 1.0])) < 0.0;
+        if is_mirrored { normal.map(|x| -x) } else { normal }
+    }
+
     /// By how much lengths along x grow.
     fn scale(&self) -> f64 {
         length(self.vector([1.0, 0.0, 0.0]))
@@ -205,8 +212,8 @@ impl<'a> Place<'a> {
             Emitter::Disk { radius } => {
                 let r = (self.number(radius) * self.scale()).max(POINT_RADIUS);
                 let area = sides * std::f64::consts::PI * r * r;
-                let normal = cross(self.vector([1.0, 0.0, 0.0]), self.vector([0.0, 1.0, 0.0]));
-                vec![LightRow { a: extended(centre, r), b: extended(normalized(normal), 0.0), ..row(DISK, area) }]
+                let normal = normalized(self.lit_side());
+                vec![LightRow { a: extended(centre, r), b: extended(normal, 0.0), ..row(DISK, area) }]
             }
             Emitter::Tube { radius, length: long } => {
                 let r = (self.number(radius) * self.scale()).max(POINT_RADIUS);
@@ -237,11 +244,11 @@ impl<'a> Place<'a> {
         let placed = |corner: [f64; 2]| self.point([corner[0], corner[1], 0.0]);
         let pieces: Vec<[[f64; 3]; 4]> =
             polygon::quadrilaterals(corners).into_iter().map(|piece| piece.map(placed)).collect();
-        // A mirroring turns the lit side round; the corners have to follow.
-        let lit = cross(self.vector([1.0, 0.0, 0.0]), self.vector([0.0, 1.0, 0.0]));
+        let lit = self.lit_side();
         let area: f64 = pieces.iter().map(|piece| 0.5 * length(twice_area(piece))).sum();
         let radiance = self.radiance(light, sides * area);
         let row = |mut piece: [[f64; 3]; 4]| {
+            // A mirroring reverses the order of the corners.
             if dot(twice_area(&piece), lit) < 0.0 {
                 piece.reverse();
             }
@@ -354,4 +361,43 @@ fn length(v: [f64; 3]) -> f64 {
 fn normalized(v: [f64; 3]) -> [f64; 3] {
     let length = length(v);
     if length > 0.0 { v.map(|x| x / length) } else { [0.0, 0.0, 1.0] }
+}
+
+#[cfg(test)]
+mod tests {
+    use chiaro_solid::Affine;
+    use chiaro_syntax::{FileId, Span};
+
+    use super::*;
+
+    /// Where a flat light shines after a map.
+    fn shines(emitter: Emitter, placement: Affine) -> [f64; 3] {
+        let light = Light {
+            emitter,
+            strength: Strength::Luminance(Scalar::ONE),
+            color: [1.0; 3].map(Scalar::from),
+            two_sided: false,
+            visible: true,
+            shadows: None,
+        };
+        let placed = PlacedLight { light, placement, span: Span::new(FileId(0), 0..0) };
+        let row = Place::new(&placed, &[]).rows(&placed.light)[0];
+        let point = |corner: [f32; 4]| [0, 1, 2].map(|i| f64::from(corner[i]));
+        match row.kind[0] {
+            DISK => point(row.b),
+            _ => normalized(twice_area(&[row.a, row.b, row.c, row.d].map(point))),
+        }
+    }
+
+    #[test]
+    fn a_mirror_image_shines_where_the_light_does_in_the_mirror() {
+        for (factors, expected) in [([-1.0, 1.0, 1.0], 1.0), ([1.0, 1.0, -1.0], -1.0), ([-1.0, 1.0, -1.0], -1.0)] {
+            let disk = Emitter::Disk { radius: Scalar::ONE };
+            let rect = Emitter::Rect { size: [Scalar::ONE, Scalar::ONE] };
+            for emitter in [disk, rect] {
+                let shines = shines(emitter, Affine::scaling(factors.map(Scalar::from)));
+                assert_eq!(shines, [0.0, 0.0, expected], "{factors:?}");
+            }
+        }
+    }
 }

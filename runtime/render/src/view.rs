@@ -57,12 +57,13 @@ impl View {
         View { target: [0, 1, 2].map(shifted), distance, ..undirected }
     }
 
-    /// From an eye to a target, z upwards.
+    /// From an eye to a target, z upwards; straight down and straight up, x is to the right.
     fn from_eye(eye: [f64; 3], target: [f64; 3], field_of_view: f64) -> Self {
         let [x, y, z] = [0, 1, 2].map(|axis| target[axis] - eye[axis]);
-        let distance = (x * x + y * y + z * z).sqrt().max(1e-9);
-        let rotation = [x.hypot(y).atan2(-z).to_degrees(), 0.0, if x == 0.0 && y == 0.0 { 0.0 } else { (-x).atan2(y).to_degrees() }];
-        View { target, rotation, distance, field_of_view }
+        let across = x.hypot(y);
+        let tilt = across.atan2(-z).to_degrees();
+        let turn = if across > 0.0 { (-x).atan2(y).to_degrees() } else { 0.0 };
+        View { target, rotation: [tilt, 0.0, turn], distance: across.hypot(z).max(1e-9), field_of_view }
     }
 
     /// Where the eye is, in millimetres.
@@ -193,14 +194,36 @@ mod tests {
 
     #[test]
     fn an_eye_and_a_target_make_a_view() {
-        for eye in [[3.0, -4.0, 5.0], [0.0, 0.0, 10.0], [0.0, 0.0, -10.0], [-2.0, 7.0, 0.0]] {
+        let target = [0.5, 0.0, 1.0];
+        for eye in [[3.0, -4.0, 5.0], [0.5, 0.0, 10.0], [0.5, 0.0, -10.0], [-2.0, 7.0, 1.0], [0.5, 3.0, 0.0]] {
             let camera = Camera {
                 eye: Some(eye.map(Scalar::from)),
-                target: Some([0.5, 0.0, 1.0].map(Scalar::from)),
+                target: Some(target.map(Scalar::from)),
                 ..Camera::default()
             };
-            close(View::framing(&camera, &[], &Bounds::centred([1.0; 3]), 1.0).eye(), eye);
+            let view = View::framing(&camera, &[], &Bounds::centred([1.0; 3]), 1.0);
+            let axes = view.axes();
+            close(view.eye(), eye);
+            close([0, 1, 2].map(|axis| eye[axis] + view.distance * axes.forward[axis]), target);
+            // The horizon is level, and z is up as far as it can be.
+            assert!(axes.right[2].abs() < 1e-9 && axes.up[2] > -1e-9, "{eye:?}: {axes:?}");
         }
+    }
+
+    #[test]
+    fn who_looks_straight_down_has_y_upwards() {
+        let camera = Camera { eye: Some([0.0, 0.0, 10.0].map(Scalar::from)), ..Camera::default() };
+        let axes = View::framing(&camera, &[], &Bounds::centred([1.0; 3]), 1.0).axes();
+        close(axes.up, [0.0, 1.0, 0.0]);
+        close(axes.right, [1.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn an_eye_at_its_target_looks_somewhere() {
+        let origin = [0.0; 3].map(Scalar::from);
+        let camera = Camera { eye: Some(origin.clone()), target: Some(origin), ..Camera::default() };
+        let view = View::framing(&camera, &[], &Bounds::centred([1.0; 3]), 1.0);
+        assert!(view.distance > 0.0 && view.rotation.iter().all(|angle| angle.is_finite()), "{view:?}");
     }
 
     #[test]
