@@ -72,7 +72,7 @@ impl Shadows {
 
     pub(crate) fn files(self) -> &'static [&'static str] {
         match self {
-            Shadows::Verified => &[KERNEL, DISC, include_str!("../templates/shadows/verified.wgsl")],
+            Shadows::Verified => &[KERNEL, DISC, PIECES, include_str!("../templates/shadows/verified.wgsl")],
             Shadows::Hard => &[KERNEL, DISC, include_str!("../templates/shadows/hard.wgsl")],
             Shadows::Quilez2010 => &[KERNEL, DISC, include_str!("../templates/shadows/quilez2010.wgsl")],
             Shadows::Quilez2019 => &[KERNEL, DISC, include_str!("../templates/shadows/quilez2019.wgsl")],
@@ -95,6 +95,7 @@ impl Shadows {
 
 const KERNEL: &str = include_str!("../templates/shadows/kernel.wgsl");
 const DISC: &str = include_str!("../templates/shadows/disc.wgsl");
+const PIECES: &str = include_str!("../templates/shadows/pieces.wgsl");
 const MINIMAL: &str = include_str!("../templates/shadows/minimal_cone.wgsl");
 const SMOOTH: &str = include_str!("../templates/shadows/minimal/smooth.wgsl");
 const RESOLVED: &str = include_str!("../templates/shadows/minimal/resolved.wgsl");

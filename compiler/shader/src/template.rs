@@ -70,10 +70,12 @@ const PICTURE: [&str; 5] = [
 ];
 
 /// What is known of lights.
-const LIGHTS: [&str; 4] = [
+const LIGHTS: [&str; 6] = [
     include_str!("../templates/light.wgsl"),
     include_str!("../templates/light_bounds.wgsl"),
     include_str!("../templates/light_crossing.wgsl"),
+    include_str!("../templates/light_forms.wgsl"),
+    include_str!("../templates/light_nearest.wgsl"),
     include_str!("../templates/light_sampling.wgsl"),
 ];
 

@@ -1,7 +1,8 @@
 // Adds a light to the picture: what receivers send back of it to the eye, by how much of it they see.
 //
 // Theory: The reflected radiance is taken as the product of the unoccluded integral and the visible part,
-// L = (ρ/π E₀ + gloss) L_e V/V₀ (Bán, Bálint, Valasek 2019, eq. 2).
+// L = (ρ/π E₀ + gloss) L_e V/V₀ (Bán, Bálint, Valasek 2019, eq. 2). The gloss is that of a representative direction, the
+// light's nearest to the mirror's (Karis, "Real Shading in Unreal Engine 4", 2013), with D widened by the light's size.
 
 @group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
 @group(1) @binding(1) var<storage, read> lights: array<Light>;
@@ -27,17 +28,25 @@ fn shade(@builtin(global_invocation_id) id: vec3<u32>) {
     let visibility = visibilities[place];
     let seen = select(0.0, visibility.x / max(visibility.y, TINY), visibility.y > 0.0);
     let light = lights[light_index(receiver, task.x)];
-    let added = min(light_weight(receiver, task.x) * seen * reflected(receiver, light), vec3<f32>(MAX_RADIANCE));
-    sums[pixel.y * view.size.x + pixel.x] += vec4<f32>(added, visibility.z);
+    let sent = light_weight(receiver, task.x) * seen * reflected(receiver, light, visibility.w);
+    sums[pixel.y * view.size.x + pixel.x] += vec4<f32>(min(sent, vec3<f32>(MAX_RADIANCE)), visibility.z);
 }
 
-/// What a receiver sends to the eye of a light of which it sees all.
-fn reflected(receiver: Receiver, light: Light) -> vec3<f32> {
+/// What a receiver sends to the eye of a light of which it sees all, and gets the irradiance E₀ per radiance.
+fn reflected(receiver: Receiver, light: Light, irradiance: f32) -> vec3<f32> {
     if receiver.n.w < 0.0 {
         return receiver.color.rgb;
     }
     let surface = Surface(vec4<f32>(receiver.color.rgb, 1.0), vec4<f32>(receiver.color.w, receiver.n.w, 0.0, 0.0));
     let x = vertex_of(surface, receiver.n.xyz, normalize(view.eye.xyz - receiver.p.xyz));
-    let cone = light_bound(light, receiver.p.xyz);
-    return scatter_towards(x, cone.xyz, cone.w) * light.radiance.rgb * PI * cone.w * cone.w;
+    let axis = light_bound(light, receiver.p.xyz).xyz;
+    let F = fresnel(x.f0, clamp(dot(normalize(axis + x.v), axis), 0.0, 1.0));
+    let body = (1.0 - F) * x.body / PI * irradiance;
+
+    // The lobe at the light's direction nearest to the mirror's, lowered by as much as the light widens it.
+    let l = light_nearest(light, receiver.p.xyz, reflect(-x.v, x.n));
+    let solid_angle = irradiance / max(dot(x.n, l), 0.05);
+    let widened = clamp(x.alpha + 0.5 * sqrt(solid_angle / PI), 0.0, 1.0);
+    let gloss = gloss_towards(x, l, 0.0) * solid_angle * (x.alpha * x.alpha) / (widened * widened);
+    return (body + gloss) * light.radiance.rgb;
 }

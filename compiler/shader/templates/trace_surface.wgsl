@@ -53,6 +53,12 @@ fn smith(alpha: f32, cosine: f32) -> f32 {
 
 /// f · cos for light from l, itself of an angular radius.
 fn scatter_towards(x: Vertex, l: vec3<f32>, angular_radius: f32) -> vec3<f32> {
+    let F = fresnel(x.f0, dot(normalize(l + x.v), l));
+    return (1.0 - F) * x.body / PI * max(dot(x.n, l), 0.0) + gloss_towards(x, l, angular_radius);
+}
+
+/// The interface's part of that.
+fn gloss_towards(x: Vertex, l: vec3<f32>, angular_radius: f32) -> vec3<f32> {
     let cos_l = dot(x.n, l);
     if cos_l <= 0.0 {
         return vec3<f32>(0.0);
@@ -69,7 +75,7 @@ fn scatter_towards(x: Vertex, l: vec3<f32>, angular_radius: f32) -> vec3<f32> {
     let lambdas = cos_l * cos_v * (smith(alpha, cos_v) + smith(alpha, cos_l));
     let V = 0.5 / max(lambdas, 1e-4);
 
-    return ((1.0 - F) * x.body / PI + D * V * F) * cos_l;
+    return D * V * F * cos_l;
 }
 
 /// Draws a direction: from the interface's lobe or from the body's, as `lobe` decides.

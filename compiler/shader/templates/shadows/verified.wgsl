@@ -98,10 +98,6 @@ fn step_of(m: March, planar: f32, least_step: f32, unit: f32) -> f32 {
     return max(step, max(least_step * rho, unit));
 }
 
-/// Where in the unit disc of a light a cell is: its centre, its share of the area, its radius.
-fn cell_of(k: u32) -> vec4<f32> {
-    return task.cells_of_disc[k];
-}
 
 fn visibility(receiver: Receiver, light: Light, index: u32) -> Visibility {
     let o = shadow_origin(receiver);
@@ -112,7 +108,8 @@ fn visibility(receiver: Receiver, light: Light, index: u32) -> Visibility {
         return Visibility(1.0, 1.0, 0u);
     }
     let disc = disc_of(light, o, n);
-    let bare = segment_area(disc.horizon);
+    let is_patch = !is_round(light);
+    let bare = select(segment_area(disc.horizon), 1.0, is_patch);
     if disc.horizon <= -1.0 {
         return Visibility(0.0, 0.0, 0u);
     }
@@ -136,9 +133,10 @@ fn visibility(receiver: Receiver, light: Light, index: u32) -> Visibility {
 
     var stage = GATE;
     var cell = 0u;
-    var cell_weight = 0.0;
-    var cell_horizon = 1.0;
+    var piece = Piece(whole, 1.0, 0.0, 0.0, 1.0);
+    // The seen part of the pieces' weights, and their sum.
     var seen = 0.0;
+    var total = 0.0;
     var evaluations = 0u;
     var cell_evaluations = 0u;
     var contact = m.t;
@@ -170,31 +168,26 @@ fn visibility(receiver: Receiver, light: Light, index: u32) -> Visibility {
                 }
                 stage = CELL;
             } else {
-                seen += cell_weight * min(part, segment_area(cell_horizon));
-                cell += 1u;
+                seen += piece.weight * min(part, segment_area(piece.horizon));
             }
-            // The next cell that is above the horizon.
-            var of_cell = vec4<f32>(0.0);
+            // The next piece that is above the horizon.
+            piece.weight = 0.0;
             loop {
-                if cell >= cells {
+                if cell >= cells || piece.weight > 0.0 {
                     break;
                 }
-                of_cell = cell_of(cell);
-                cell_horizon = (dot(of_cell.xy, up) + disc.horizon) / of_cell.w;
-                if cell_horizon > -1.0 {
-                    break;
+                if is_patch {
+                    piece = piece_of_patch(light, o, n, cell, cells);
+                } else {
+                    piece = piece_of_disc(disc, across, up, task.cells_of_disc[cell]);
                 }
+                total += piece.weight;
                 cell += 1u;
             }
-            if cell >= cells {
-                return Visibility(min(seen, bare), bare, evaluations);
+            if piece.weight <= 0.0 {
+                return Visibility(visible_part(seen, total, bare, is_patch), bare, evaluations);
             }
-            // Of a cell that the horizon cuts, aim at the middle of what is above.
-            let shift = select(0.0, 0.5 * (1.0 - cell_horizon) * of_cell.w, cell_horizon < 0.0);
-            let centre = of_cell.xy + shift * up;
-            cell_weight = of_cell.z;
-            let w = normalize(disc.w + disc.tangent * (across[0] * centre.x + across[1] * centre.y));
-            m = march_along(w, disc.sine * of_cell.w, disc.t_max, n);
+            m = march_along(piece.w, piece.sine, piece.t_max, n);
             m.f = offset;
             waiting = 0u;
             cell_evaluations = 0u;
@@ -289,5 +282,10 @@ fn visibility(receiver: Receiver, light: Light, index: u32) -> Visibility {
             }
         }
     }
-    return Visibility(min(seen, bare), bare, evaluations);
+    return Visibility(visible_part(seen, total, bare, is_patch), bare, evaluations);
+}
+
+/// V from the seen part of the pieces' weights. Those of a disc are its areas, those of a patch irradiances.
+fn visible_part(seen: f32, total: f32, bare: f32, is_patch: bool) -> f32 {
+    return min(select(seen, seen / max(total, TINY), is_patch), bare);
 }
