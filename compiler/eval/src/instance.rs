@@ -17,7 +17,7 @@ use crate::{foreign, geometry, suggest};
 const CONTROL: [&str; 9] = ["for", "intersection_for", "if", "let", "assign", "echo", "assert", "children", "child"];
 
 /// The work of moving a light or a camera, in steps.
-const ASIDE_STEPS: u64 = 20;
+const ASIDE_STEPS: u64 = 200;
 
 /// A solid and its depth.
 #[derive(Clone)]
