@@ -50,6 +50,8 @@ pub(crate) enum Command {
     Dump(Dump),
     /// Answer the signed distance at given points.
     Distance(Distance),
+    /// Compare shadow methods with the truth: how far they are from it, and what they cost.
+    Compare(Compare),
     /// List the graphics adapters that pictures can be drawn on.
     Adapters,
 }
@@ -177,6 +179,83 @@ pub(crate) struct Distance {
 
     #[command(flatten)]
     pub(crate) adapter: AdapterArguments,
+}
+
+/// Arguments of `compare`.
+#[derive(Debug, Args)]
+pub(crate) struct Compare {
+    /// The scenes. One without lights is compared under the studio's key light.
+    pub(crate) scenes: Vec<PathBuf>,
+
+    /// The folder of the report; one with an earlier report is written over.
+    #[arg(long, short, value_name = "FOLDER", default_value = "comparison")]
+    pub(crate) output: PathBuf,
+
+    /// Compare on the light suite too: five scenes with lights of radius 0.15, 0.4 and 0.9.
+    #[arg(long)]
+    pub(crate) suite: bool,
+
+    /// Like figure 4 of Bán, Bálint, Valasek 2019: the light suite at 1920x1080, with 35 and 100 random rays.
+    #[arg(long)]
+    pub(crate) figure4: bool,
+
+    /// The methods, with the number of their cells or rays behind a colon: aaltonen,verified:8,monte-carlo:64.
+    #[arg(long, value_name = "METHODS", value_delimiter = ',')]
+    pub(crate) methods: Vec<MethodChoice>,
+
+    /// The radii that sphere lights are given, in millimetres.
+    #[arg(long, value_name = "RADII", value_delimiter = ',', value_parser = positive)]
+    pub(crate) radii: Vec<f64>,
+
+    /// By what lights are scaled instead.
+    #[arg(long = "scale", value_name = "FACTORS", value_delimiter = ',', default_value = "1", value_parser = positive)]
+    pub(crate) scales: Vec<f64>,
+
+    /// Width and height in pixels.
+    #[arg(long, value_name = "WxH", default_value = "256x256", value_parser = size)]
+    pub(crate) size: (u32, u32),
+
+    /// How sure the truth has to be: half the 95 % confidence interval of V.
+    #[arg(long, value_name = "HALF-WIDTH", default_value_t = 0.004, value_parser = positive)]
+    pub(crate) error: f64,
+
+    /// The most random rays that a pixel draws for the truth.
+    #[arg(long, value_name = "N", default_value_t = 1024, value_parser = clap::value_parser!(u32).range(64..=262_144))]
+    pub(crate) truth_samples: u32,
+
+    #[command(flatten)]
+    pub(crate) adapter: AdapterArguments,
+}
+
+/// A shadow method with the number of its cells or rays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct MethodChoice {
+    pub(crate) method: Shadows,
+    pub(crate) cells: u32,
+}
+
+impl std::str::FromStr for MethodChoice {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, cells) = text.split_once(':').unwrap_or((text, "8"));
+        let names = || Shadows::ALL.map(Shadows::name).join(", ");
+        let method = Shadows::named(name).ok_or_else(|| format!("there is no method {name}; there are {}", names()))?;
+        let cells = cells.parse().ok().filter(|cells| (1..=4096).contains(cells));
+        Ok(Self { method, cells: cells.ok_or("behind the colon, write a number from 1 to 4096")? })
+    }
+}
+
+impl std::fmt::Display for MethodChoice {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.method.name())?;
+        if self.method.has_cells() { write!(f, " {}", self.cells) } else { Ok(()) }
+    }
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|x: &f64| x.is_finite() && *x > 0.0);
+    number.ok_or_else(|| "write a number above zero".to_owned())
 }
 
 /// How direct light is found.

@@ -5,6 +5,7 @@
 
 mod arguments;
 mod commands;
+mod comparison;
 mod compile;
 mod files;
 mod images;
@@ -26,6 +27,7 @@ fn main() -> ExitCode {
         Command::Check(check) => commands::check::run(check, &arguments.global),
         Command::Dump(dump) => commands::dump::run(dump, &arguments.global),
         Command::Distance(distance) => commands::distance::run(distance, &arguments.global),
+        Command::Compare(compare) => commands::compare::run(compare, &arguments.global),
         Command::Adapters => commands::adapters::run(),
     };
     match result {

@@ -27,5 +27,5 @@ pub use lights::{Direct, LightRow, LightSource, Lighting, Surroundings};
 pub use model::Model;
 pub use picture::{Evaluations, Floor, Picture, Timings};
 pub use probe::distances;
-pub use study::{Outcome, Receiver, Study};
+pub use study::{Outcome, Receiver, Study, Truth};
 pub use view::View;

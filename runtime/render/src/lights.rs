@@ -310,6 +310,19 @@ impl LightRow {
         row
     }
 
+    /// The solid angle that a sphere or a sun is seen under from a point outside of it.
+    pub fn round_solid_angle(&self, point: [f64; 3]) -> Option<f64> {
+        let radius = f64::from(self.a[3]);
+        let sine = match self.kind[0] {
+            SUN => radius,
+            SPHERE => radius / length(difference([0, 1, 2].map(|i| f64::from(self.a[i])), point)),
+            _ => return None,
+        };
+        // 1 − cos α, without its cancellation.
+        let sine2 = (sine * sine).min(1.0);
+        Some(2.0 * std::f64::consts::PI * sine2 / (1.0 + (1.0 - sine2).sqrt()))
+    }
+
     /// The radius in millimetres, of a sphere.
     pub fn sphere_radius(&self) -> Option<f64> {
         (self.kind[0] == SPHERE).then_some(f64::from(self.a[3]))

@@ -49,8 +49,51 @@ pub struct Outcome {
     pub bare: Vec<f32>,
     /// How often the scene was evaluated.
     pub evaluations: Vec<f32>,
+    /// The irradiance per radiance if nothing covered the light, in closed form.
+    pub irradiance: Vec<f32>,
     /// How long it took, by the device's clock if it has one.
     pub time: Duration,
+}
+
+/// What random rays converge to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Truth {
+    /// V, as in [`Outcome`].
+    pub visible: Vec<f32>,
+    /// The irradiance per radiance if nothing covered the light, in closed form.
+    pub irradiance: Vec<f32>,
+    /// What half the 95 % confidence interval of V is at most, but for one in a hundred of the receivers in penumbrae.
+    pub half_width: f64,
+    /// How many rays each receiver has drawn.
+    pub samples: u32,
+    /// How often the scene was evaluated for each pixel, on average.
+    pub evaluations: f64,
+}
+
+/// How many independent sequences the truth is drawn with, and Student's factor for their mean's 95 % interval.
+const SEQUENCES: u32 = 8;
+const STUDENT: f64 = 2.365;
+/// How many random rays a receiver draws in one dispatch.
+const RAYS_AT_ONCE: u32 = 8;
+
+impl Outcome {
+    /// Adds a share of the rays.
+    fn add(&mut self, rows: &[[f32; 4]], share: f32) {
+        if self.visible.is_empty() {
+            *self = Self {
+                visible: vec![0.0; rows.len()],
+                bare: vec![0.0; rows.len()],
+                evaluations: vec![0.0; rows.len()],
+                irradiance: rows.iter().map(|row| row[3]).collect(),
+                time: self.time,
+            };
+        }
+        for (pixel, row) in rows.iter().enumerate() {
+            self.visible[pixel] += share * row[0];
+            self.bare[pixel] += share * row[1];
+            self.evaluations[pixel] += row[2];
+        }
+    }
 }
 
 impl Study {
@@ -89,17 +132,81 @@ impl Study {
     }
 
     /// Asks a method how much of a light the receivers see. `cells` is the number of cells of methods that cut lights
-    /// into such. The time is without that for compiling the method.
+    /// into such, or of random rays. The time is without that for compiling the method.
     pub fn run(&mut self, method: Shadows, cells: u32, light: &LightRow) -> Result<Outcome> {
+        // Drivers may compile within the first run.
+        let task = Task { light: 0, sample: 0, cells, receivers: self.size[0] * self.size[1] };
+        self.dispatch(method, Task { cells: cells.min(1), receivers: 1, ..task }, light)?;
+        let mut outcome = Outcome::default();
+        let mut done = 0;
+        while done < cells.max(1) {
+            // Many rays are drawn in several dispatches, or drivers would end them.
+            let at_once = if method == Shadows::MonteCarlo { RAYS_AT_ONCE.min(cells - done) } else { cells.max(1) };
+            let time = self.dispatch(method, Task { sample: done, cells: at_once, ..task }, light)?;
+            outcome.add(&self.visibilities()?, at_once as f32 / cells.max(1) as f32);
+            outcome.time += time;
+            done += at_once;
+        }
+        Ok(outcome)
+    }
+
+    /// Draws random rays until the 95 % confidence intervals of V, but for one in a hundred of the receivers that see
+    /// part of the light, have a half width of at most `half_width`, or until each has drawn `most_samples`.
+    ///
+    /// The interval is Student's over the means of eight independently scrambled sequences (Owen, "Monte Carlo Variance
+    /// of Scrambled Net Quadrature", 1997): the scatter of samples within a sequence would overestimate its error.
+    pub fn truth(&mut self, light: &LightRow, half_width: f64, most_samples: u32) -> Result<Truth> {
+        let pixels = (self.size[0] * self.size[1]) as usize;
+        let mut means = vec![vec![0.0_f64; pixels]; SEQUENCES as usize];
+        let mut truth = Truth { visible: vec![0.0; pixels], ..Truth::default() };
+        let mut of_each = 0;
+        loop {
+            let batch = if of_each == 0 { RAYS_AT_ONCE } else { of_each };
+            for sequence in 0..SEQUENCES {
+                let mut drawn = 0;
+                while drawn < batch {
+                    let sample = sequence << 16 | (of_each + drawn);
+                    let task = Task { light: 0, sample, cells: RAYS_AT_ONCE, receivers: pixels as u32 };
+                    self.dispatch(Shadows::MonteCarlo, task, light)?;
+                    let rows = self.visibilities()?;
+                    for (mean, row) in means[sequence as usize].iter_mut().zip(&rows) {
+                        *mean += f64::from(row[0]) * f64::from(RAYS_AT_ONCE);
+                        truth.evaluations += f64::from(row[2]);
+                    }
+                    truth.irradiance = rows.iter().map(|row| row[3]).collect();
+                    drawn += RAYS_AT_ONCE;
+                }
+            }
+            of_each += batch;
+            let mut half_widths = Vec::new();
+            for pixel in 0..pixels {
+                let each = || means.iter().map(|sums| sums[pixel] / f64::from(of_each));
+                let mean = each().sum::<f64>() / f64::from(SEQUENCES);
+                let variance = each().map(|x| (x - mean).powi(2)).sum::<f64>() / f64::from(SEQUENCES - 1);
+                truth.visible[pixel] = mean as f32;
+                if mean > 0.0 && mean < 1.0 {
+                    half_widths.push(STUDENT * (variance / f64::from(SEQUENCES)).sqrt());
+                }
+            }
+            half_widths.sort_by(f64::total_cmp);
+            truth.half_width = half_widths.get(half_widths.len() * 99 / 100).copied().unwrap_or(0.0);
+            truth.samples = of_each * SEQUENCES;
+            // A sequence has 65536 rays.
+            if truth.half_width <= half_width || 2 * truth.samples > most_samples || of_each >= 1 << 15 {
+                truth.evaluations /= pixels as f64;
+                return Ok(truth);
+            }
+        }
+    }
+
+    fn dispatch(&mut self, method: Shadows, task: Task, light: &LightRow) -> Result<Duration> {
         self.receivers.set_lights(&self.gpu, &[*light]);
         let pass = self.pass(method)?;
-        let task = Task { light: 0, sample: 0, cells, receivers: self.size[0] * self.size[1] };
-        // Drivers may compile within the first run.
-        self.passes[pass].1.run(&self.gpu, &self.stopwatch, Task { receivers: 1, ..task })?;
-        let time = self.passes[pass].1.run(&self.gpu, &self.stopwatch, task)?;
-        let rows: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&self.gpu.read(&self.receivers.visibilities)?);
-        let column = |i: usize| rows.iter().map(|row| row[i]).collect();
-        Ok(Outcome { visible: column(0), bare: column(1), evaluations: column(2), time })
+        self.passes[pass].1.run(&self.gpu, &self.stopwatch, task)
+    }
+
+    fn visibilities(&self) -> Result<Vec<[f32; 4]>> {
+        Ok(bytemuck::pod_collect_to_vec(&self.gpu.read(&self.receivers.visibilities)?))
     }
 
     fn pass(&mut self, method: Shadows) -> Result<usize> {

@@ -2,6 +2,7 @@
 
 pub(crate) mod adapters;
 pub(crate) mod check;
+pub(crate) mod compare;
 pub(crate) mod distance;
 pub(crate) mod dump;
 pub(crate) mod render;

@@ -2,8 +2,9 @@
 //
 // Theory: Rays are drawn evenly from the directions that a light covers; a scrambled Sobol' sequence of its own for
 // every receiver (see `trace_numbers.wgsl`) spreads them. V is the part of them that is above the horizon and arrives.
-// Practice: One call of the scene: a loop over steps draws the next ray where one ends. `task.sample` is the number of
-// rays drawn before, so that passes add up to one sequence; `task.cells` how many are drawn now.
+// Practice: One call of the scene: a loop over steps draws the next ray where one ends. The lower half of `task.sample`
+// is the number of rays drawn before, so that passes add up to one sequence, and its upper half chooses the sequence;
+// `task.cells` is how many rays are drawn now.
 
 /// A ray that comes so near arrives at a surface, in offsets.
 const CONTACT: f32 = 0.025;
@@ -18,7 +19,7 @@ fn visibility(receiver: Receiver, light: Light, index: u32) -> Visibility {
     if below_horizon(light, o, n) {
         return Visibility(0.0, 0.0, 0u);
     }
-    let seed = hash(index, 0x5eedu);
+    let seed = hash(index, 0x5eedu + (task.sample >> 16u));
     let by_irradiance = !(light.kind.x == LIGHT_SPHERE || light.kind.x == LIGHT_SUN);
     var seen = 0.0;
     var bare = 0.0;
@@ -37,7 +38,7 @@ fn visibility(receiver: Receiver, light: Light, index: u32) -> Visibility {
             if drawn >= task.cells {
                 break;
             }
-            let ray = light_drawn(light, o, unit_square(seed, task.sample + drawn, 0u));
+            let ray = light_drawn(light, o, unit_square(seed, (task.sample & 0xffffu) + drawn, 0u));
             drawn += 1u;
             w = ray.w;
             let cosine = dot(n, w);

@@ -1,0 +1,106 @@
+//! How far a method is from the truth.
+
+use serde::Serialize;
+
+use super::ssim;
+
+/// What is behind everything in the shaded picture, and the light that every surface gets there besides.
+const BACKGROUND: f32 = 0.55;
+const AMBIENT: f32 = 0.06;
+const ALBEDO: f32 = 0.75;
+
+/// A method's distance from the truth, and what it cost.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub(crate) struct Score {
+    /// The mean and the standard deviation of the local SSIM of V.
+    pub(crate) ssim: f64,
+    pub(crate) ssim_deviation: f64,
+    /// The same of the shaded pictures.
+    pub(crate) shaded: f64,
+    pub(crate) shaded_deviation: f64,
+    /// The mean of the SSIM of V within three pixels of a penumbra.
+    pub(crate) penumbra: f64,
+    /// Of V over the pixels that see a surface.
+    pub(crate) rmse: f64,
+    pub(crate) bias: f64,
+    pub(crate) most: f64,
+    /// Evaluations of the scene for a pixel that sees a surface: their mean and 95th percentile.
+    pub(crate) evaluations: f64,
+    pub(crate) evaluations_95: f64,
+    /// How long it took, in milliseconds.
+    pub(crate) milliseconds: f64,
+}
+
+/// What a method answered.
+pub(crate) struct Answer<'a> {
+    pub(crate) visible: &'a [f32],
+    pub(crate) evaluations: &'a [f32],
+    pub(crate) milliseconds: f64,
+}
+
+/// Scores an answer; also answers its map of local SSIM.
+pub(crate) fn score(width: usize, mask: &[bool], truth: &[f32], shade: &[f32], answer: &Answer) -> (Score, Vec<f32>) {
+    let map = ssim::map(width, answer.visible, truth);
+    let shaded = ssim::map(width, &shaded(mask, answer.visible, shade), &shaded(mask, truth, shade));
+    let (ssim, ssim_deviation) = moments(map.iter().copied());
+    let (shaded, shaded_deviation) = moments(shaded.iter().copied());
+    let near = near_penumbra(width, mask, truth);
+    let (penumbra, _) = moments(map.iter().zip(&near).filter(|(_, near)| **near).map(|(s, _)| *s));
+
+    let seen = || mask.iter().enumerate().filter(|(_, seen)| **seen).map(|(pixel, _)| pixel);
+    let errors: Vec<f64> = seen().map(|pixel| f64::from(answer.visible[pixel] - truth[pixel])).collect();
+    let count = errors.len().max(1) as f64;
+    let mut evaluations: Vec<f64> = seen().map(|pixel| f64::from(answer.evaluations[pixel])).collect();
+    evaluations.sort_by(f64::total_cmp);
+    let score = Score {
+        ssim,
+        ssim_deviation,
+        shaded,
+        shaded_deviation,
+        penumbra,
+        rmse: (errors.iter().map(|e| e * e).sum::<f64>() / count).sqrt(),
+        bias: errors.iter().sum::<f64>() / count,
+        most: errors.iter().fold(0.0, |most, e| e.abs().max(most)),
+        evaluations: evaluations.iter().sum::<f64>() / count,
+        evaluations_95: evaluations.get(evaluations.len() * 95 / 100).copied().unwrap_or(0.0),
+        milliseconds: answer.milliseconds,
+    };
+    (score, map)
+}
+
+/// The picture that is compared besides V: a matt grey under the light, in the sRGB-like curve of exponent 1/2.2.
+pub(crate) fn shaded(mask: &[bool], visible: &[f32], shade: &[f32]) -> Vec<f32> {
+    let pixel = |i: usize| {
+        let linear = if mask[i] { (ALBEDO * visible[i] * shade[i] + AMBIENT).clamp(0.0, 1.0) } else { BACKGROUND };
+        linear.powf(1.0 / 2.2)
+    };
+    (0..mask.len()).map(pixel).collect()
+}
+
+/// Mean and standard deviation.
+pub(crate) fn moments(values: impl Iterator<Item = f32> + Clone) -> (f64, f64) {
+    let count = values.clone().count().max(1) as f64;
+    let mean = values.clone().map(f64::from).sum::<f64>() / count;
+    let variance = values.map(|x| (f64::from(x) - mean).powi(2)).sum::<f64>() / count;
+    (mean, variance.sqrt())
+}
+
+/// Which pixels are within three of one in a penumbra, in every direction.
+fn near_penumbra(width: usize, mask: &[bool], truth: &[f32]) -> Vec<bool> {
+    const REACH: usize = 3;
+    let height = mask.len() / width.max(1);
+    let mut near = vec![false; mask.len()];
+    for y in 0..height {
+        for x in 0..width {
+            let pixel = y * width + x;
+            if !mask[pixel] || !(0.01..0.99).contains(&truth[pixel]) {
+                continue;
+            }
+            for row in y.saturating_sub(REACH)..(y + REACH + 1).min(height) {
+                let (first, last) = (x.saturating_sub(REACH), (x + REACH + 1).min(width));
+                near[row * width + first..row * width + last].fill(true);
+            }
+        }
+    }
+    near
+}
