@@ -23,13 +23,15 @@ pub enum Shadows {
     MinimalConeExact,
     /// The same with longer steps and the receiver's horizon.
     MinimalConePlus,
+    /// Bán, Bálint, Valasek 2019, section 4.2: random points of the light against a half space.
+    Proxy,
     /// Random rays.
     MonteCarlo,
 }
 
 impl Shadows {
     /// All of them.
-    pub const ALL: [Shadows; 11] = [
+    pub const ALL: [Shadows; 12] = [
         Shadows::Verified,
         Shadows::Hard,
         Shadows::Quilez2010,
@@ -40,6 +42,7 @@ impl Shadows {
         Shadows::MinimalCone,
         Shadows::MinimalConeExact,
         Shadows::MinimalConePlus,
+        Shadows::Proxy,
         Shadows::MonteCarlo,
     ];
 
@@ -56,6 +59,7 @@ impl Shadows {
             Shadows::MinimalCone => "minimal-cone",
             Shadows::MinimalConeExact => "minimal-cone-exact",
             Shadows::MinimalConePlus => "minimal-cone-plus",
+            Shadows::Proxy => "proxy",
             Shadows::MonteCarlo => "monte-carlo",
         }
     }
@@ -67,7 +71,7 @@ impl Shadows {
 
     /// Whether it cuts lights into cells, or draws several rays: whether it heeds a number of them.
     pub fn has_cells(self) -> bool {
-        matches!(self, Shadows::Verified | Shadows::MonteCarlo)
+        matches!(self, Shadows::Verified | Shadows::Proxy | Shadows::MonteCarlo)
     }
 
     pub(crate) fn files(self) -> &'static [&'static str] {
@@ -88,6 +92,7 @@ impl Shadows {
             Shadows::MinimalConePlus => {
                 &[KERNEL, DISC, MINIMAL, SMOOTH, include_str!("../templates/shadows/minimal/plus.wgsl")]
             }
+            Shadows::Proxy => &[KERNEL, DISC, include_str!("../templates/shadows/proxy.wgsl")],
             Shadows::MonteCarlo => &[KERNEL, DISC, include_str!("../templates/shadows/monte_carlo.wgsl")],
         }
     }

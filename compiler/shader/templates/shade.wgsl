@@ -2,7 +2,8 @@
 //
 // Theory: The reflected radiance is taken as the product of the unoccluded integral and the visible part,
 // L = (ρ/π E₀ + gloss) L_e V/V₀ (Bán, Bálint, Valasek 2019, eq. 2). The gloss is that of a representative direction, the
-// light's nearest to the mirror's (Karis, "Real Shading in Unreal Engine 4", 2013), with D widened by the light's size.
+// light's nearest to the mirror's (Karis, "Real Shading in Unreal Engine 4", 2013), with D lowered by the
+// light's size, so that a mirror shows the light's own radiance.
 
 @group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
 @group(1) @binding(1) var<storage, read> lights: array<Light>;
@@ -43,10 +44,11 @@ fn reflected(receiver: Receiver, light: Light, irradiance: f32) -> vec3<f32> {
     let F = fresnel(x.f0, clamp(dot(normalize(axis + x.v), axis), 0.0, 1.0));
     let body = (1.0 - F) * x.body / PI * irradiance;
 
-    // The lobe at the light's direction nearest to the mirror's, lowered by as much as the light widens it.
+    // The lobe at the light's direction nearest to the mirror's, lowered by as much as the light widens it: half vectors
+    // of a light with the angular radius σ spread by σ/2.
     let l = light_nearest(light, receiver.p.xyz, reflect(-x.v, x.n));
     let solid_angle = irradiance / max(dot(x.n, l), 0.05);
-    let widened = clamp(x.alpha + 0.5 * sqrt(solid_angle / PI), 0.0, 1.0);
-    let gloss = gloss_towards(x, l, 0.0) * solid_angle * (x.alpha * x.alpha) / (widened * widened);
+    let alpha2 = x.alpha * x.alpha;
+    let gloss = gloss_towards(x, l, 0.0) * solid_angle * alpha2 / (alpha2 + 0.25 * solid_angle / PI);
     return (body + gloss) * light.radiance.rgb;
 }

@@ -236,7 +236,10 @@ fn path(pixel: vec2<u32>, start: f32, place: u32) -> vec4<f32> {
         let hit = vec2<f32>(0.25 * clearance, 0.0);
         let choice = unit_square(seed, sample, 4u * depth + 3u).x;
         let among = select(0u, LIGHT_SAMPLED, depth == 1u);
-        let l = some_light_drawn(origin, n, unit_square(seed, sample, 4u * depth), choice, among);
+        // Lights are looked for from nearer to the surface: they may be near themselves.
+        let offset = max(SHADOW_OFFSET * distance(position, view.eye.xyz), 8.0 * view.box_min.w);
+        let lit_from = position + offset * n;
+        let l = some_light_drawn(lit_from, n, unit_square(seed, sample, 4u * depth), choice, among);
         let u = unit_square(seed, sample, 4u * depth + 1u);
         let catches = missed && depth == 1u && is_studio();
         if catches {
@@ -256,7 +259,6 @@ fn path(pixel: vec2<u32>, start: f32, place: u32) -> vec4<f32> {
             next = Segment(Ray(origin, drawn.w), 0.0, FAR, hit, 1.0, false);
         }
         if depth == 1u {
-            let offset = max(SHADOW_OFFSET * distance(position, view.eye.xyz), 8.0 * view.box_min.w);
             let color = select(clamp(surface.color.rgb, vec3<f32>(0.0), vec3<f32>(1.0)), background * FLOOR_KEY_SHARE, catches);
             let metallic = select(clamp(surface.finish.y, 0.0, 1.0), -1.0, catches);
             let finish = vec4<f32>(color, surface.finish.x);
@@ -269,7 +271,7 @@ fn path(pixel: vec2<u32>, start: f32, place: u32) -> vec4<f32> {
         }
         // Who gets none of the light need not look for it.
         let start_of_direct = select(0.0, FAR, all(direct <= vec3<f32>(0.0)));
-        segment = Segment(Ray(origin, l.w), start_of_direct, l.distance, hit, 1.0, true);
+        segment = Segment(Ray(lit_from, l.w), start_of_direct, l.distance, vec2<f32>(0.25 * offset, 0.0), 1.0, true);
     }
     return vec4<f32>(min(radiance, vec3<f32>(MAX_RADIANCE)), f32(evaluations));
 }

@@ -17,9 +17,10 @@ pub const SHADOW_METHODS: &[&str] = &[
     "cone",
     "minimal-cone-printed",
     "minimal-cone",
-    "fast-sphere",
-    "fast-sphere-exact",
+    "minimal-cone-exact",
+    "minimal-cone-plus",
     "proxy",
+    "monte-carlo",
     "reference",
 ];
 

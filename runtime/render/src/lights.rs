@@ -151,6 +151,7 @@ impl Lighting {
         }
         let shadows = light.shadows.as_deref().map(|name| match Shadows::named(name) {
             Some(method) => Direct::By(method),
+            // "reference", as a test makes sure.
             None => Direct::Sampled,
         });
         let rows = place.rows(light);
@@ -308,6 +309,11 @@ impl LightRow {
             }
         }
         row
+    }
+
+    /// Its radiance: linear red, green and blue, in candela per square metre.
+    pub fn radiance(&self) -> [f64; 3] {
+        [0, 1, 2].map(|i| f64::from(self.radiance[i]))
     }
 
     /// The solid angle that a sphere or a sun is seen under from a point outside of it.

@@ -244,9 +244,10 @@ impl Picture {
         self.resolver.run(&self.gpu, self.samples, self.exposure)
     }
 
-    /// The radiance of each pixel so far: rows from the top, linear red, green, blue and 1.
+    /// The radiance of each pixel so far: rows from the top, linear red, green, blue and 1. Of a scene with lights in
+    /// candela per square metre; in the studio, a white surface in full light is about 1.
     pub fn hdr(&self) -> Result<Vec<[f32; 4]>> {
-        let scale = 1.0 / self.samples.max(1) as f32;
+        let scale = 1.0 / (self.samples.max(1) as f32 * self.lighting.exposure as f32);
         let radiance = |sum: [f32; 4]| [sum[0] * scale, sum[1] * scale, sum[2] * scale, 1.0];
         Ok(self.sums()?.into_iter().map(radiance).collect())
     }

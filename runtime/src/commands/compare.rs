@@ -94,13 +94,13 @@ impl Compare {
         if !self.methods.is_empty() {
             return self.methods.clone();
         }
-        let with = |method, cells: &[u32]| {
-            cells.iter().map(move |&cells| MethodChoice { method, cells }).collect::<Vec<_>>()
-        };
+        let with =
+            |method, cells: &[u32]| cells.iter().map(move |&cells| MethodChoice { method, cells }).collect::<Vec<_>>();
         let rays: &[u32] = if self.figure4 { &[35, 100] } else { &[16, 64] };
         let single = Shadows::ALL.into_iter().filter(|method| !method.has_cells());
         let mut methods: Vec<MethodChoice> = single.flat_map(|method| with(method, &[1])).collect();
         methods.extend(with(Shadows::Verified, &[1, 4, 8, 12, 19, 37]));
+        methods.extend(with(Shadows::Proxy, rays));
         methods.extend(with(Shadows::MonteCarlo, rays));
         methods
     }
@@ -159,9 +159,7 @@ impl Subject {
             let name = if many { format!("{}, light {}", self.name, index + 1) } else { self.name.clone() };
             match source.row.sphere_radius() {
                 Some(radius) if !radii.is_empty() => {
-                    lights.extend(
-                        radii.iter().map(|r| (format!("{name}, radius {r}"), source.row.scaled(r / radius))),
-                    );
+                    lights.extend(radii.iter().map(|r| (format!("{name}, radius {r}"), source.row.scaled(r / radius))));
                 }
                 _ => lights.extend(arguments.scales.iter().map(|scale| {
                     let name = if arguments.scales.len() > 1 { format!("{name}, × {scale}") } else { name.clone() };

@@ -153,7 +153,8 @@ fn page(cases: &[Case], device: &str) -> String {
     );
     html += "<h2>Means over all cases</h2>";
     html += &html_table(&means);
-    html += &plot("Error of V (1 − SSIM) against cost", "evaluations a pixel", &means, |s| (s.evaluations, 1.0 - s.ssim));
+    html +=
+        &plot("Error of V (1 − SSIM) against cost", "evaluations a pixel", &means, |s| (s.evaluations, 1.0 - s.ssim));
     html += &plot("RMSE of V against time", "milliseconds a frame", &means, |s| (s.milliseconds, s.rmse));
     for (index, case) in cases.iter().enumerate() {
         let _ = write!(

@@ -80,7 +80,8 @@ mod tests {
     #[test]
     fn it_is_what_others_compute() {
         let a: Vec<f32> = (0..32 * 24).map(|i| ((i % 32) as f32 * 0.3).sin() * 0.5 + 0.5).collect();
-        let b: Vec<f32> = a.iter().enumerate().map(|(i, x)| (x + 0.1 * ((i / 32) as f32 * 0.7).cos()).clamp(0.0, 1.0)).collect();
+        let b: Vec<f32> =
+            a.iter().enumerate().map(|(i, x)| (x + 0.1 * ((i / 32) as f32 * 0.7).cos()).clamp(0.0, 1.0)).collect();
         let map = map(32, &a, &b);
         let mean = map.iter().map(|&s| f64::from(s)).sum::<f64>() / map.len() as f64;
         assert!((mean - REFERENCE_MEAN).abs() < 1e-5, "{mean}");
