@@ -17,7 +17,7 @@ mod template;
 mod text;
 
 pub use emit::MAX_NODES;
-pub use shadows::Shadows;
+pub use shadows::{Shadows, Verified};
 pub use splice::{Shader, splice};
 pub use tables::Tables;
 pub use template::Template;

@@ -1,5 +1,36 @@
 //! The shadow methods: how much of a light a receiver sees.
 
+/// The passes of [`Shadows::Verified`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Verified {
+    /// Entry `shadow`: the whole light, for each receiver.
+    Gate,
+    /// Entry `choose`: which receivers are as their neighbours say. It asks no scene.
+    Choose,
+    /// Entry `cells`: the cells of the light for receivers that are not.
+    Cells,
+    /// Entry `settle`: what the cells come to. It asks no scene.
+    Settle,
+}
+
+impl Verified {
+    /// How many stages there are: the receivers of a stage are predicted from those of the stages before.
+    pub const STAGES: usize = 3;
+
+    pub(crate) fn files(self) -> &'static [&'static str] {
+        match self {
+            Verified::Gate => {
+                &[TASK, DISC, PIECES, LATTICE, MARCH, include_str!("../templates/shadows/verified/gate.wgsl")]
+            }
+            Verified::Choose => &[TASK, LATTICE, SUMS, include_str!("../templates/shadows/verified/choose.wgsl")],
+            Verified::Cells => {
+                &[TASK, DISC, PIECES, LATTICE, SUMS, MARCH, include_str!("../templates/shadows/verified/cells.wgsl")]
+            }
+            Verified::Settle => &[TASK, SUMS, include_str!("../templates/shadows/verified/settle.wgsl")],
+        }
+    }
+}
+
 /// An algorithm that answers how much of a light each receiver sees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Shadows {
@@ -76,28 +107,32 @@ impl Shadows {
 
     pub(crate) fn files(self) -> &'static [&'static str] {
         match self {
-            Shadows::Verified => &[KERNEL, DISC, PIECES, include_str!("../templates/shadows/verified.wgsl")],
-            Shadows::Hard => &[KERNEL, DISC, include_str!("../templates/shadows/hard.wgsl")],
-            Shadows::Quilez2010 => &[KERNEL, DISC, include_str!("../templates/shadows/quilez2010.wgsl")],
-            Shadows::Quilez2019 => &[KERNEL, DISC, include_str!("../templates/shadows/quilez2019.wgsl")],
-            Shadows::Aaltonen => &[KERNEL, DISC, include_str!("../templates/shadows/aaltonen.wgsl")],
-            Shadows::Cone => &[KERNEL, DISC, include_str!("../templates/shadows/cone.wgsl")],
+            Shadows::Verified => Verified::Gate.files(),
+            Shadows::Hard => &[TASK, KERNEL, DISC, include_str!("../templates/shadows/hard.wgsl")],
+            Shadows::Quilez2010 => &[TASK, KERNEL, DISC, include_str!("../templates/shadows/quilez2010.wgsl")],
+            Shadows::Quilez2019 => &[TASK, KERNEL, DISC, include_str!("../templates/shadows/quilez2019.wgsl")],
+            Shadows::Aaltonen => &[TASK, KERNEL, DISC, include_str!("../templates/shadows/aaltonen.wgsl")],
+            Shadows::Cone => &[TASK, KERNEL, DISC, include_str!("../templates/shadows/cone.wgsl")],
             Shadows::MinimalConePrinted => {
-                &[KERNEL, DISC, MINIMAL, SMOOTH, include_str!("../templates/shadows/minimal/printed.wgsl")]
+                &[TASK, KERNEL, DISC, MINIMAL, SMOOTH, include_str!("../templates/shadows/minimal/printed.wgsl")]
             }
-            Shadows::MinimalCone => &[KERNEL, DISC, MINIMAL, SMOOTH, RESOLVED],
+            Shadows::MinimalCone => &[TASK, KERNEL, DISC, MINIMAL, SMOOTH, RESOLVED],
             Shadows::MinimalConeExact => {
-                &[KERNEL, DISC, MINIMAL, RESOLVED, include_str!("../templates/shadows/minimal/exact.wgsl")]
+                &[TASK, KERNEL, DISC, MINIMAL, RESOLVED, include_str!("../templates/shadows/minimal/exact.wgsl")]
             }
             Shadows::MinimalConePlus => {
-                &[KERNEL, DISC, MINIMAL, SMOOTH, include_str!("../templates/shadows/minimal/plus.wgsl")]
+                &[TASK, KERNEL, DISC, MINIMAL, SMOOTH, include_str!("../templates/shadows/minimal/plus.wgsl")]
             }
-            Shadows::Proxy => &[KERNEL, DISC, include_str!("../templates/shadows/proxy.wgsl")],
-            Shadows::MonteCarlo => &[KERNEL, DISC, include_str!("../templates/shadows/monte_carlo.wgsl")],
+            Shadows::Proxy => &[TASK, KERNEL, DISC, include_str!("../templates/shadows/proxy.wgsl")],
+            Shadows::MonteCarlo => &[TASK, KERNEL, DISC, include_str!("../templates/shadows/monte_carlo.wgsl")],
         }
     }
 }
 
+const TASK: &str = include_str!("../templates/shadows/task.wgsl");
+const LATTICE: &str = include_str!("../templates/shadows/verified/lattice.wgsl");
+const SUMS: &str = include_str!("../templates/shadows/verified/sums.wgsl");
+const MARCH: &str = include_str!("../templates/shadows/verified/march.wgsl");
 const KERNEL: &str = include_str!("../templates/shadows/kernel.wgsl");
 const DISC: &str = include_str!("../templates/shadows/disc.wgsl");
 const PIECES: &str = include_str!("../templates/shadows/pieces.wgsl");

@@ -5,7 +5,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use naga::{Function, Handle, Module};
 use rustc_hash::FxHashMap;
 
-use crate::shadows::Shadows;
+use crate::shadows::{Shadows, Verified};
 
 /// A WGSL file that scenes are spliced into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -20,6 +20,8 @@ pub enum Template {
     Trace,
     /// Entry `shadow`: answers how much of a light each receiver sees.
     Shadows(Shadows),
+    /// The passes of verified cones that follow.
+    Verified(Verified),
     /// Entry `shade`: adds a light to the picture. It asks no scene.
     Shade,
 }
@@ -28,7 +30,8 @@ impl Template {
     /// All of them.
     pub fn all() -> impl Iterator<Item = Template> {
         let fixed = [Template::Library, Template::Distances, Template::Prepass, Template::Trace, Template::Shade];
-        fixed.into_iter().chain(Shadows::ALL.into_iter().map(Template::Shadows))
+        let verified = [Verified::Choose, Verified::Cells, Verified::Settle].map(Template::Verified);
+        fixed.into_iter().chain(Shadows::ALL.into_iter().map(Template::Shadows)).chain(verified)
     }
 
     /// Its own WGSL, which calls `scene_distance` and `scene_surface`.
@@ -48,6 +51,7 @@ impl Template {
                 [&PICTURE[..], &LIGHTS, &own].concat()
             }
             Template::Shadows(method) => [&PICTURE[..], &LIGHTS, method.files()].concat(),
+            Template::Verified(pass) => [&PICTURE[..], &LIGHTS, pass.files()].concat(),
             Template::Shade => [&PICTURE[..], &LIGHTS, &[include_str!("../templates/shade.wgsl")]].concat(),
         }
     }

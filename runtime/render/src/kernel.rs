@@ -21,6 +21,8 @@ pub(crate) enum Slot {
     Uniform,
     Read,
     ReadWrite,
+    /// The same, and dispatches read their sizes from it.
+    Groups,
     /// A texture of [`PIXEL_FORMAT`] that is written.
     Pixels,
 }
@@ -88,20 +90,54 @@ impl Kernel {
         groups: &[&BindGroup],
         workgroups: [u32; 2],
     ) -> Result<Duration> {
-        let started = Instant::now();
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let mut pass =
-            encoder.begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes: stopwatch.writes() });
-        pass.set_pipeline(&self.pipeline);
-        for (index, group) in groups.iter().enumerate() {
+        run_all(gpu, stopwatch, &[], &[Dispatch { kernel: self, groups, size: Size::Workgroups(workgroups) }])
+    }
+}
+
+/// A kernel that is to be run.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Dispatch<'a> {
+    pub(crate) kernel: &'a Kernel,
+    pub(crate) groups: &'a [&'a BindGroup],
+    pub(crate) size: Size<'a>,
+}
+
+/// How large a dispatch is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Size<'a> {
+    Workgroups([u32; 2]),
+    /// As three numbers in a buffer of [`Slot::Groups`] say, from this byte on, once the dispatches before are done.
+    From(&'a Buffer, u64),
+}
+
+/// Fills the first bytes of buffers with zeros, runs kernels one after the other, and waits for them; says how long the kernels took.
+pub(crate) fn run_all(
+    gpu: &Gpu,
+    stopwatch: &Stopwatch,
+    cleared: &[(&Buffer, u64)],
+    dispatches: &[Dispatch],
+) -> Result<Duration> {
+    let started = Instant::now();
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    for (buffer, bytes) in cleared {
+        encoder.clear_buffer(buffer, 0, Some(*bytes));
+    }
+    let mut pass =
+        encoder.begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes: stopwatch.writes() });
+    for dispatch in dispatches {
+        pass.set_pipeline(&dispatch.kernel.pipeline);
+        for (index, group) in dispatch.groups.iter().enumerate() {
             pass.set_bind_group(index as u32, *group, &[]);
         }
-        pass.dispatch_workgroups(workgroups[0], workgroups[1], 1);
-        drop(pass);
-        stopwatch.collect(&mut encoder);
-        gpu.finish(encoder)?;
-        stopwatch.read(gpu, started)
+        match dispatch.size {
+            Size::Workgroups([x, y]) => pass.dispatch_workgroups(x, y, 1),
+            Size::From(buffer, offset) => pass.dispatch_workgroups_indirect(buffer, offset),
+        }
     }
+    drop(pass);
+    stopwatch.collect(&mut encoder);
+    gpu.finish(encoder)?;
+    stopwatch.read(gpu, started)
 }
 
 /// The workgroups for one invocation a pixel, of the tracing templates' 8 × 8 invocations each.
@@ -119,7 +155,7 @@ fn entry(binding: u32, slot: Slot) -> BindGroupLayoutEntry {
     let ty = match slot {
         Slot::Uniform => buffer(BufferBindingType::Uniform),
         Slot::Read => buffer(BufferBindingType::Storage { read_only: true }),
-        Slot::ReadWrite => buffer(BufferBindingType::Storage { read_only: false }),
+        Slot::ReadWrite | Slot::Groups => buffer(BufferBindingType::Storage { read_only: false }),
         Slot::Pixels => BindingType::StorageTexture {
             access: StorageTextureAccess::WriteOnly,
             format: PIXEL_FORMAT,
@@ -134,6 +170,7 @@ pub(crate) fn buffer(gpu: &Gpu, what: &'static str, slot: Slot, bytes: u64) -> R
     let limits = gpu.device.limits();
     let (usage, binding_limit) = match slot {
         Slot::Uniform => (BufferUsages::UNIFORM, limits.max_uniform_buffer_binding_size),
+        Slot::Groups => (BufferUsages::STORAGE | BufferUsages::INDIRECT, limits.max_storage_buffer_binding_size),
         _ => (BufferUsages::STORAGE, limits.max_storage_buffer_binding_size),
     };
     let limit = binding_limit.min(limits.max_buffer_size);

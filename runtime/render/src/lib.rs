@@ -19,6 +19,7 @@ mod shadow;
 mod stopwatch;
 mod study;
 mod uniform;
+mod verified;
 mod view;
 
 pub use error::{Error, Result};

@@ -271,7 +271,7 @@ impl Picture {
     fn light(&mut self, size: [u32; 2]) -> Result<Duration> {
         let mut took = Duration::ZERO;
         for (light, method) in self.lit_by() {
-            let task = Task { light, sample: self.samples, cells: DEFAULT_CELLS, receivers: size[0] * size[1] };
+            let task = Task::new(light, self.samples, DEFAULT_CELLS, size);
             let pass = self.shadow_pass(method)?;
             took += self.shadow_passes[pass].1.run(&self.gpu, &self.stopwatch, task)?;
             took += self.shade_pass.run(&self.gpu, &self.stopwatch, light, size)?;

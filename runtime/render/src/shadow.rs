@@ -13,6 +13,7 @@ use crate::kernel::{Slot, buffer};
 use crate::lights::LightRow;
 use crate::model::{Program, Source};
 use crate::stopwatch::Stopwatch;
+use crate::verified::VerifiedPasses;
 
 /// The size of a `Receiver` in bytes.
 pub(crate) const RECEIVER_BYTES: u64 = 64;
@@ -53,19 +54,49 @@ impl Receivers {
     }
 }
 
-/// `Task` of `shadows/kernel.wgsl`.
+/// `Task` of `shadows/task.wgsl`.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 pub(crate) struct Task {
     pub(crate) light: u32,
     pub(crate) sample: u32,
     pub(crate) cells: u32,
     pub(crate) receivers: u32,
+    pub(crate) width: u32,
+    pub(crate) looking: f32,
+    pub(crate) following: f32,
+    pub(crate) stage: u32,
+}
+
+impl Task {
+    /// Light a part of this size by the light of this index.
+    pub(crate) fn new(light: u32, sample: u32, cells: u32, [width, height]: [u32; 2]) -> Self {
+        Self { light, sample, cells, receivers: width * height, width, ..Self::default() }
+    }
+
+    /// A buffer for it and the cells of a disc.
+    pub(crate) fn buffer(gpu: &Gpu) -> Result<Buffer> {
+        buffer(gpu, "task", Slot::Read, size_of::<Task>() as u64 + 16 * u64::from(MOST_CELLS))
+    }
+
+    /// Writes it into its buffer.
+    pub(crate) fn write(&self, gpu: &Gpu, buffer: &Buffer) {
+        let cells = cells_of_disc(self.cells.clamp(1, MOST_CELLS));
+        gpu.queue.write_buffer(buffer, 0, bytemuck::bytes_of(self));
+        gpu.queue.write_buffer(buffer, size_of::<Task>() as u64, bytemuck::cast_slice(&cells));
+    }
 }
 
 /// A shadow method, compiled for a scene and bound to a part's receivers.
 #[derive(Debug)]
-pub(crate) struct ShadowPass {
+pub(crate) enum ShadowPass {
+    Single(SinglePass),
+    Verified(Box<VerifiedPasses>),
+}
+
+/// A method that is one kernel.
+#[derive(Debug)]
+pub(crate) struct SinglePass {
     program: Program,
     task: Buffer,
     groups: [BindGroup; 2],
@@ -81,11 +112,36 @@ impl ShadowPass {
         receivers: &Receivers,
         view: &Buffer,
     ) -> Result<Self> {
+        let pass = match method {
+            Shadows::Verified => Self::Verified(Box::new(VerifiedPasses::new(gpu, graph, receivers, view)?)),
+            _ => Self::Single(SinglePass::new(gpu, graph, method, receivers, view)?),
+        };
+        pass.set_parameters(gpu, parameters)?;
+        Ok(pass)
+    }
+
+    pub(crate) fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
+        match self {
+            Self::Single(pass) => pass.program.set_parameters(gpu, parameters),
+            Self::Verified(passes) => passes.set_parameters(gpu, parameters),
+        }
+    }
+
+    /// Answers for all receivers of a part, and says how long it took.
+    pub(crate) fn run(&self, gpu: &Gpu, stopwatch: &Stopwatch, task: Task) -> Result<Duration> {
+        match self {
+            Self::Single(pass) => pass.run(gpu, stopwatch, task),
+            Self::Verified(passes) => passes.run(gpu, stopwatch, task),
+        }
+    }
+}
+
+impl SinglePass {
+    fn new(gpu: &Gpu, graph: &Graph, method: Shadows, receivers: &Receivers, view: &Buffer) -> Result<Self> {
         let source = Source::of(graph, Template::Shadows(method))?;
         let slots = [(0, Slot::Read), (1, Slot::Read), (2, Slot::ReadWrite), (3, Slot::Read)];
         let program = Program::new(gpu, source, "shadow", true, &slots)?;
-        program.set_parameters(gpu, parameters)?;
-        let task = buffer(gpu, "task", Slot::Read, size_of::<Task>() as u64 + 16 * u64::from(MOST_CELLS))?;
+        let task = Task::buffer(gpu)?;
         let own = [
             (0, receivers.receivers.as_entire_binding()),
             (1, receivers.lights.as_entire_binding()),
@@ -96,15 +152,8 @@ impl ShadowPass {
         Ok(Self { program, task, groups })
     }
 
-    pub(crate) fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
-        self.program.set_parameters(gpu, parameters)
-    }
-
-    /// Answers for all receivers of a part, and says how long it took.
-    pub(crate) fn run(&self, gpu: &Gpu, stopwatch: &Stopwatch, task: Task) -> Result<Duration> {
-        let cells = cells_of_disc(task.cells.clamp(1, MOST_CELLS));
-        gpu.queue.write_buffer(&self.task, 0, bytemuck::bytes_of(&task));
-        gpu.queue.write_buffer(&self.task, size_of::<Task>() as u64, bytemuck::cast_slice(&cells));
+    fn run(&self, gpu: &Gpu, stopwatch: &Stopwatch, task: Task) -> Result<Duration> {
+        task.write(gpu, &self.task);
         self.program.kernel.run(gpu, stopwatch, &self.groups.each_ref(), linear_workgroups(task.receivers))
     }
 }

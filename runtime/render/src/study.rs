@@ -135,8 +135,8 @@ impl Study {
     /// into such, or of random rays. The time is without that for compiling the method.
     pub fn run(&mut self, method: Shadows, cells: u32, light: &LightRow) -> Result<Outcome> {
         // Drivers may compile within the first run.
-        let task = Task { light: 0, sample: 0, cells, receivers: self.size[0] * self.size[1] };
-        self.dispatch(method, Task { cells: cells.min(1), receivers: 1, ..task }, light)?;
+        let task = Task::new(0, 0, cells, self.size);
+        self.dispatch(method, Task { cells: cells.min(4), ..task }, light)?;
         let mut outcome = Outcome::default();
         let mut done = 0;
         while done < cells.max(1) {
@@ -166,7 +166,7 @@ impl Study {
                 let mut drawn = 0;
                 while drawn < batch {
                     let sample = sequence << 16 | (of_each + drawn);
-                    let task = Task { light: 0, sample, cells: RAYS_AT_ONCE, receivers: pixels as u32 };
+                    let task = Task::new(0, sample, RAYS_AT_ONCE, self.size);
                     self.dispatch(Shadows::MonteCarlo, task, light)?;
                     let rows = self.visibilities()?;
                     for (mean, row) in means[sequence as usize].iter_mut().zip(&rows) {

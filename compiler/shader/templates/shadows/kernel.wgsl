@@ -1,26 +1,10 @@
 // What every shadow method is run by: one receiver and one light an invocation.
 
-@group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
 @group(1) @binding(1) var<storage, read> lights: array<Light>;
 /// For each receiver: V, the part of the light that is seen from it; V₀, the same if nothing but its horizon covered
 /// the light; how often the scene was evaluated; E₀, the irradiance per radiance if nothing covered the light. Flat lights
 /// and tubes count by irradiance, others by solid angle.
 @group(1) @binding(2) var<storage, read_write> visibilities: array<vec4<f32>>;
-@group(1) @binding(3) var<storage, read> task: Task;
-
-/// What the methods are told. In a storage buffer, because lavapipe compiles anew for values of uniforms.
-struct Task {
-    /// The light's index, or `DRAWN_LIGHT`.
-    light: u32,
-    /// The number of the sample, for methods that draw at random.
-    sample: u32,
-    /// The number of cells that a light is cut into, or of samples that are drawn at once, where a method has such.
-    cells: u32,
-    /// How many receivers there are.
-    receivers: u32,
-    /// The cells of a unit disc: centre, share of the area, radius of a disc with that area.
-    cells_of_disc: array<vec4<f32>>,
-}
 
 /// What a method answers.
 struct Visibility {
@@ -33,7 +17,7 @@ struct Visibility {
 
 @compute @workgroup_size(64)
 fn shadow(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
-    let index = 64u * (group.y * groups.x + group.x) + lane;
+    let index = linear_index(group, groups, lane);
     if index >= task.receivers {
         return;
     }
