@@ -5,6 +5,7 @@ use std::time::Duration;
 use chiaro_shader::Shadows;
 use wgpu::{BindGroup, Buffer, Texture};
 
+use crate::cells::MOST_CELLS;
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::kernel::{Slot, buffer, workgroups};
@@ -38,6 +39,8 @@ pub struct Picture {
     uses_prepass: bool,
     lighting: Lighting,
     direct: Direct,
+    /// How many cells shadow methods cut a light into.
+    cells: u32,
     buffers: Buffers,
     /// The shadow methods used so far.
     shadow_passes: Vec<(Shadows, ShadowPass)>,
@@ -96,7 +99,9 @@ struct Buffers {
 }
 
 /// How direct light is found unless a light or a caller says otherwise.
-const DEFAULT_CELLS: u32 = 8;
+const DEFAULT_CELLS: u32 = 19;
+/// How many rays are drawn at once, or drivers would end them.
+const MOST_RAYS: u32 = 8;
 const DEFAULT_DIRECT: Direct = Direct::By(Shadows::Verified);
 
 impl Picture {
@@ -128,6 +133,7 @@ impl Picture {
             uses_prepass: true,
             lighting,
             direct: DEFAULT_DIRECT,
+            cells: DEFAULT_CELLS,
             buffers,
             shadow_passes: Vec::new(),
             shade_pass,
@@ -170,6 +176,13 @@ impl Picture {
     pub fn set_direct(&mut self, direct: Direct) -> Result<()> {
         self.direct = direct;
         self.place_lights()?;
+        self.restart()
+    }
+
+    /// Chooses how many cells verified cones cut a light into, and starts anew: from 1 to 64. Methods that draw
+    /// rays draw at most eight at once.
+    pub fn set_cells(&mut self, cells: u32) -> Result<()> {
+        self.cells = cells.clamp(1, MOST_CELLS);
         self.restart()
     }
 
@@ -271,7 +284,8 @@ impl Picture {
     fn light(&mut self, size: [u32; 2]) -> Result<Duration> {
         let mut took = Duration::ZERO;
         for (light, method) in self.lit_by() {
-            let task = Task::new(light, self.samples, DEFAULT_CELLS, size);
+            let cells = if method == Shadows::Verified { self.cells } else { self.cells.min(MOST_RAYS) };
+            let task = Task::new(light, self.samples, cells, size);
             let pass = self.shadow_pass(method)?;
             took += self.shadow_passes[pass].1.run(&self.gpu, &self.stopwatch, task)?;
             took += self.shade_pass.run(&self.gpu, &self.stopwatch, light, size)?;

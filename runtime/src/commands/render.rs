@@ -120,6 +120,7 @@ impl Studio {
             picture,
         };
         studio.picture.set_direct(arguments.shadows.0)?;
+        studio.picture.set_cells(arguments.shadow_cells)?;
         studio.place_lights()?;
         Ok(studio)
     }
@@ -149,6 +150,7 @@ impl Studio {
         self.picture.set_view(view)?;
         self.picture.set_floor(self.floor)?;
         self.picture.set_direct(arguments.shadows.0)?;
+        self.picture.set_cells(arguments.shadow_cells)?;
         self.lights = scene.lights.clone();
         self.place_lights()
     }
