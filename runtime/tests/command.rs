@@ -255,3 +255,35 @@ fn what_can_not_be_read_or_written_is_said() {
     }
     assert!(!Path::new("no").exists());
 }
+
+#[test]
+fn compare_writes_a_report_and_nothing_over_other_things() {
+    let scene = "camera(eye = [0, -40, 30]); translate([-20, -20, -1]) cube([40, 40, 1]); sphere(4);
+                 translate([10, -10, 20]) sphere_light(r = 3);";
+    let folder = Folder::new().with("ball.csg", scene).with("mine.txt", "mine");
+    let arguments = [
+        "compare",
+        "ball.csg",
+        "-o",
+        "report",
+        "--size",
+        "24x24",
+        "--methods",
+        "hard,verified:4",
+        "--truth-samples",
+        "64",
+    ];
+    let table = stdout(&succeeded(folder.run(&arguments)));
+    assert!(table.contains("verified 4"), "{table}");
+    let results: Value = serde_json::from_slice(&fs::read(folder.path("report/results.json")).unwrap()).unwrap();
+    let ssim = |at: usize| results["means"][at]["score"]["ssim"].as_f64().unwrap();
+    assert!(ssim(1) > ssim(0) && ssim(1) <= 1.0, "{results}");
+    for file in ["index.html", "0_truth_v.exr", "0_verified_4_ssim.png", "ball_points.exr"] {
+        assert!(folder.path("report").join(file).is_file(), "{file}");
+    }
+    // An earlier report is replaced, anything else is not.
+    succeeded(folder.run(&arguments));
+    let refused = folder.run(&["compare", "ball.csg", "-o", "."]);
+    assert!(!refused.status.success() && stderr(&refused).contains("in use"), "{}", stderr(&refused));
+    assert!(!folder.run(&["compare", "-o", "empty"]).status.success());
+}

@@ -7,9 +7,9 @@ use crate::uniform::Part;
 /// A part should take between these times.
 const WORTH_A_DISPATCH: Duration = Duration::from_millis(30);
 const SOON_ENOUGH: Duration = Duration::from_millis(120);
-/// The edge of the first parts, and of the smallest, in pixels: multiples of a workgroup's.
+/// The edge of the first parts, and of the smallest, in pixels: multiples of `TILE` in `choose.wgsl`.
 const FIRST_EDGE: u32 = 64;
-const LEAST_EDGE: u32 = 16;
+const LEAST_EDGE: u32 = 32;
 /// The edge of the largest, for which buffers have to have room.
 const MOST_EDGE: u32 = 1024;
 

@@ -50,6 +50,9 @@ fn choose(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) grou
     }
 }
 
+/// The edge in pixels of the tiles that neighbours have to share. The parts of a picture consist of such tiles.
+const TILE: i32 = 32;
+
 /// What the neighbours say, or −1.
 fn prediction(index: u32) -> f32 {
     let receiver = receivers[index];
@@ -64,7 +67,8 @@ fn prediction(index: u32) -> f32 {
         let b = neighbour(index, receiver, way);
         let c = neighbour(index, receiver, -3 * way);
         let d = neighbour(index, receiver, 3 * way);
-        if !a.counts || !b.counts {
+        // Between two that see the same there is no penumbra, or one that is too slim for them to tell.
+        if !a.counts || !b.counts || a.seen == b.seen {
             return -1.0;
         }
         let straight = 0.5 * (a.seen + b.seen);
@@ -90,7 +94,9 @@ fn neighbour(index: u32, receiver: Receiver, off: vec2<i32>) -> Neighbour {
     let x = i32(index % task.width) + off.x;
     let y = i32(index / task.width) + off.y;
     let at = y * i32(task.width) + x;
-    if x < 0 || y < 0 || x >= i32(task.width) || at >= i32(task.receivers) {
+    // Beyond the tile there may be another part, or none: then pictures would depend on how they are cut into parts.
+    let same_tile = x / TILE == i32(index % task.width) / TILE && y / TILE == i32(index / task.width) / TILE;
+    if x < 0 || y < 0 || x >= i32(task.width) || at >= i32(task.receivers) || !same_tile {
         return Neighbour(0.0, false);
     }
     let other = receivers[at];
