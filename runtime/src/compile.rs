@@ -5,10 +5,10 @@ use std::process::ExitCode;
 use anyhow::Result;
 use chiaro_compiler::syntax::Sources;
 use chiaro_compiler::{Compilation, Facets, Options, Scene, shader};
+use chiaro_files::FileWorld;
 
 use crate::arguments::{FacetPolicy, Global, SceneArguments};
 use crate::terminal;
-use crate::world::FileWorld;
 
 /// Compiles the scene and reports what there is to say. None means that errors were reported.
 pub(crate) fn scene(arguments: &SceneArguments, global: &Global) -> Result<Option<Scene>> {

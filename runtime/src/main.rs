@@ -1,20 +1,18 @@
 //! The `chiaro` command.
 //!
-//! Only this crate touches files and the terminal. Each subcommand is one file of [`commands`]; each of them compiles
+//! Only this crate touches the terminal. Each subcommand is one file of [`commands`]; each of them compiles
 //! through [`compile`], which reports what there is to say.
 
 mod arguments;
 mod commands;
 mod comparison;
 mod compile;
-mod files;
-mod images;
 mod terminal;
 mod view;
-mod world;
 
 use std::process::ExitCode;
 
+use chiaro_files::{self as files, images};
 use clap::Parser;
 
 use crate::arguments::{Arguments, Command};

@@ -6,11 +6,11 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 use exr::prelude::{Encoding, Image, SpecificChannels, WritableImage};
 
-use crate::files;
+use crate::write;
 
 /// The file formats of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Format {
+pub enum Format {
     /// Eight bits a channel in sRGB.
     Png,
     /// Linear radiance in 32-bit floating point.
@@ -19,7 +19,7 @@ pub(crate) enum Format {
 
 impl Format {
     /// The format that the ending of a file's name asks for.
-    pub(crate) fn of(path: &Path) -> Result<Self> {
+    pub fn of(path: &Path) -> Result<Self> {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         match ending.as_deref() {
             Some("png") => Ok(Format::Png),
@@ -30,15 +30,15 @@ impl Format {
 }
 
 /// Writes eight-bit RGBA pixels, row by row from the top.
-pub(crate) fn write_png(path: &Path, (width, height): (u32, u32), rgba: Vec<u8>) -> Result<()> {
+pub fn write_png(path: &Path, (width, height): (u32, u32), rgba: Vec<u8>) -> Result<()> {
     let image = image::RgbaImage::from_raw(width, height, rgba).context("the picture has the wrong size")?;
     let mut bytes = Cursor::new(Vec::new());
     image.write_to(&mut bytes, image::ImageFormat::Png).context("cannot encode the picture")?;
-    files::write(path, bytes.get_ref())
+    write(path, bytes.get_ref())
 }
 
 /// Writes linear RGB radiance, row by row from the top.
-pub(crate) fn write_exr(path: &Path, (width, height): (u32, u32), pixels: &[[f32; 4]]) -> Result<()> {
+pub fn write_exr(path: &Path, (width, height): (u32, u32), pixels: &[[f32; 4]]) -> Result<()> {
     let (width, height) = (width as usize, height as usize);
     let channels = SpecificChannels::rgb(|at: exr::math::Vec2<usize>| {
         let [r, g, b, _] = pixels[at.y() * width + at.x()];
@@ -48,5 +48,5 @@ pub(crate) fn write_exr(path: &Path, (width, height): (u32, u32), pixels: &[[f32
     image.layer_data.encoding = Encoding::SMALL_LOSSLESS;
     let mut bytes = Cursor::new(Vec::new());
     image.write().to_buffered(&mut bytes).context("cannot encode the picture")?;
-    files::write(path, bytes.get_ref())
+    write(path, bytes.get_ref())
 }

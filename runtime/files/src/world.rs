@@ -11,13 +11,13 @@ use chiaro_compiler::World;
 const MAX_BYTES: u64 = 256 << 20;
 
 /// The file system: paths are relative to the file that names them, then to OpenSCAD's library folders.
-pub(crate) struct FileWorld {
+pub struct FileWorld {
     libraries: Vec<PathBuf>,
 }
 
 impl FileWorld {
     /// With the library folders of `OPENSCADPATH`, of the user and of the system, in this order.
-    pub(crate) fn new() -> Self {
+    pub fn new() -> Self {
         let mut libraries: Vec<PathBuf> = env::var_os("OPENSCADPATH")
             .map(|paths| env::split_paths(&paths).filter(|path| !path.as_os_str().is_empty()).collect())
             .unwrap_or_default();
