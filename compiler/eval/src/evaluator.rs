@@ -4,6 +4,7 @@ use std::collections::hash_map::Entry;
 use std::hash::BuildHasher;
 use std::rc::Rc;
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
 use chiaro_solid::{PlacedLight, Scalar, Solid};
 use chiaro_syntax::tree::{Name, Statement};
@@ -180,6 +181,9 @@ impl<'t> Evaluator<'t> {
 
     /// Counts some steps of work.
     pub(crate) fn charge(&mut self, steps: u64, span: Span) -> Result<()> {
+        if self.options.cancelled.as_ref().is_some_and(|cancelled| cancelled.load(Ordering::Relaxed)) {
+            return Err(self.abort(Diagnostic::error(span, "evaluating the scene was stopped")));
+        }
         match self.steps.checked_sub(steps) {
             Some(left) => {
                 self.steps = left;

@@ -27,7 +27,7 @@ impl<'t> Evaluator<'t> {
     pub(crate) fn expression(&mut self, e: &Expression, scope: &Rc<Scope>) -> Result<Value> {
         // Literals are most of a dump, and need neither stack nor steps.
         match &*e.kind {
-            ExpressionKind::Number(number) => return Ok(Value::number(*number)),
+            ExpressionKind::Number(number) => return Ok(Value::Number(self.live.literal(*number, e.span))),
             ExpressionKind::String(text) => return Ok(Value::String(text.clone())),
             ExpressionKind::Bool(value) => return Ok(Value::Bool(*value)),
             ExpressionKind::Undef => return Ok(Value::Undef),

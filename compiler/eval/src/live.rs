@@ -4,11 +4,17 @@ use std::sync::Arc;
 
 use chiaro_solid::{LiveParameter, ParameterId, Scalar};
 use chiaro_syntax::tree::{Assignment, Customizer, Domain};
-use chiaro_syntax::{Diagnostic, Span};
+use chiaro_syntax::{Diagnostic, FileId, Span};
 use chiaro_vocabulary::Interval;
 
 use crate::geometry::Demotion;
+use crate::options::{LiveLiteral, Options};
 use crate::value::Value;
+
+/// What the names of parameters begin with that are numbers in the text; no variable's name does.
+const LITERAL: char = '@';
+/// The scene's own file.
+const MAIN_FILE: FileId = FileId(0);
 
 /// A parameter that may be live: a variable's name, and which component of it.
 type Key = (Arc<str>, Option<usize>);
@@ -20,15 +26,23 @@ pub(crate) struct Live<'t> {
     frozen: bool,
     /// The parameters, in the order of their ids.
     pub(crate) parameters: Vec<LiveParameter>,
+    literals: Literals<'t>,
     time: Option<Scalar>,
     default_time: f64,
+}
+
+/// The numbers in the text that are live.
+struct Literals<'t> {
+    wanted: &'t [LiveLiteral],
+    /// Those that were met so far, by where they start: a loop meets its literals many times.
+    met: Vec<(u32, Scalar)>,
 }
 
 /// The parameters that are known to decide the structure of the scene, with the notes that say where.
 #[derive(Default)]
 pub(crate) struct Structural {
     keys: Vec<Key>,
-    /// One for each of them.
+    /// One for each of them that has a name.
     pub(crate) notes: Vec<Diagnostic>,
 }
 
@@ -52,7 +66,9 @@ impl Structural {
     fn add(&mut self, parameter: &LiveParameter, demotion: &Demotion) {
         let key = (parameter.name.clone(), parameter.component);
         if !self.keys.contains(&key) {
-            self.notes.push(note(parameter, demotion));
+            if !parameter.name.starts_with(LITERAL) {
+                self.notes.push(note(parameter, demotion));
+            }
             self.keys.push(key);
         }
     }
@@ -73,8 +89,10 @@ fn note(parameter: &LiveParameter, demotion: &Demotion) -> Diagnostic {
 
 impl<'t> Live<'t> {
     /// No parameters yet.
-    pub(crate) fn new(structural: &'t Structural, frozen: bool) -> Self {
-        Self { structural, frozen, parameters: Vec::new(), time: None, default_time: 0.0 }
+    pub(crate) fn new(structural: &'t Structural, options: &'t Options) -> Self {
+        let literals = Literals { wanted: &options.live_literals, met: Vec::new() };
+        let frozen = options.frozen;
+        Self { structural, frozen, parameters: Vec::new(), literals, time: None, default_time: 0.0 }
     }
 
     /// What a top-level variable stands for: its value, with numbers replaced by live parameters if its Customizer
@@ -97,6 +115,33 @@ impl<'t> Live<'t> {
             }
             _ => value,
         }
+    }
+
+    /// What a number in the text stands for: a live parameter, if the caller wants that of it.
+    pub(crate) fn literal(&mut self, number: f64, span: Span) -> Scalar {
+        let is_it = |literal: &&LiveLiteral| literal.start == span.start as usize && span.file == MAIN_FILE;
+        let Some(literal) = self.literals.wanted.iter().find(is_it) else {
+            return Scalar::Constant(number);
+        };
+        if let Some((_, scalar)) = self.literals.met.iter().find(|(start, _)| *start == span.start) {
+            return scalar.clone();
+        }
+        let name: Arc<str> = format!("{LITERAL}{}", span.start).into();
+        if !number.is_finite() || self.is_structural(&name, None) {
+            return Scalar::Constant(number);
+        }
+        let scalar = self.add(LiveParameter {
+            name,
+            default: number,
+            range: literal.range.hull(Interval::point(number)),
+            step: None,
+            description: None,
+            group: None,
+            component: None,
+            span: Some(span),
+        });
+        self.literals.met.push((span.start, scalar.clone()));
+        scalar
     }
 
     fn parameter(&mut self, slider: &Slider, number: &Scalar, component: Option<usize>) -> Scalar {

@@ -1,5 +1,10 @@
 //! What an evaluation depends on besides the text.
 
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use chiaro_vocabulary::Interval;
+
 use crate::Facets;
 
 /// The stack, in bytes, that the thread which calls [`evaluate`](crate::evaluate) needs, so that scenes may recurse
@@ -25,8 +30,21 @@ pub struct Options {
     pub facets: Facets,
     /// Whether Customizer parameters and `$t` are constants, instead of live.
     pub frozen: bool,
+    /// Numbers in the scene's own text that are live, such as one that an editor drags.
+    pub live_literals: Vec<LiveLiteral>,
+    /// Set from another thread, ends the evaluation with an error.
+    pub cancelled: Option<Arc<AtomicBool>>,
     /// What no scene may exceed.
     pub limits: Limits,
+}
+
+/// A number in the text that moves without a recompilation, as a parameter of its own whose span is the number's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LiveLiteral {
+    /// Where in the scene's own file it starts, in bytes.
+    pub start: usize,
+    /// The values it may take, its present one among them; finite.
+    pub range: Interval,
 }
 
 /// Limits that keep any scene from exhausting time or memory.

@@ -57,7 +57,7 @@ pub fn evaluate(world: &dyn World, sources: &mut Sources, main: FileId, options:
     let mut round = 0;
     loop {
         round += 1;
-        let mut evaluator = Evaluator::new(&library, sources, options, Live::new(&structural, options.frozen));
+        let mut evaluator = Evaluator::new(&library, sources, options, Live::new(&structural, options));
         let result = evaluator.scene(&definitions);
         let parameters = std::mem::take(&mut evaluator.live.parameters);
         let reports = std::mem::take(&mut evaluator.diagnostics);

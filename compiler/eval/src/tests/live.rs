@@ -1,6 +1,12 @@
 //! Numbers that stay live, and those that can't.
 
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use chiaro_vocabulary::Interval;
+
 use super::{Options, Outcome, run, run_with};
+use crate::LiveLiteral;
 
 /// The names of a scene's live parameters; a component's number follows its name.
 fn names(outcome: &Outcome) -> Vec<String> {
@@ -67,4 +73,31 @@ fn a_value_from_outside_is_a_live_ones_default() {
     let outcome = run_with("r = 10; // [1:30]\nsphere(r);", &[], options);
     let r = &outcome.parameters[0];
     assert_eq!((r.default, r.range.min, r.range.max), (50.0, 1.0, 50.0));
+}
+
+#[test]
+fn a_number_in_the_text_is_live_if_the_caller_wants_it() {
+    let text = "for (i = [0 : 2]) translate([10 * i, 0, 0]) sphere(r = 2.5);";
+    let literal = |wanted: &str| LiveLiteral { start: text.find(wanted).unwrap(), range: Interval::new(1.0, 4.0) };
+    let with = |literal| run_with(text, &[], Options { live_literals: vec![literal], ..Options::default() });
+
+    let outcome = with(literal("2.5"));
+    assert_eq!(names(&outcome).len(), 1);
+    let radius = &outcome.parameters[0];
+    assert_eq!((radius.default, radius.range), (2.5, Interval::new(1.0, 4.0)));
+    assert_eq!(radius.span.map(|span| &text[span.range()]), Some("2.5"));
+
+    // What decides the structure stays a constant, and nothing is to be told about it.
+    let outcome = with(literal("2])"));
+    assert!(names(&outcome).is_empty() && outcome.notes.is_empty());
+}
+
+#[test]
+fn an_evaluation_can_be_stopped() {
+    let cancelled = Some(Arc::new(AtomicBool::new(true)));
+    let outcome = run_with("for (i = [0 : 2]) sphere(i);", &[], Options { cancelled, ..Options::default() });
+    assert!(
+        outcome.errors.len() == 1 && outcome.errors[0].ends_with("evaluating the scene was stopped"),
+        "{outcome:?}"
+    );
 }
