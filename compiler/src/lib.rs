@@ -19,7 +19,7 @@ use std::panic::resume_unwind;
 use chiaro_eval::{Evaluation, STACK_BYTES, evaluate};
 use chiaro_syntax::{Diagnostic, Severity, SourceFile, Sources};
 
-pub use chiaro_eval::{Facets, Options, World};
+pub use chiaro_eval::{Facets, LiveLiteral, Options, World};
 pub use chiaro_field as field;
 pub use chiaro_shader as shader;
 pub use chiaro_solid as solid;

@@ -26,7 +26,7 @@ mod options;
 mod settings;
 
 pub use geometry::Facets;
-pub use options::{Limits, Options, STACK_BYTES, World};
+pub use options::{Limits, LiveLiteral, Options, STACK_BYTES, World};
 pub use scene::{Evaluation, evaluate};
 
 #[cfg(test)]
