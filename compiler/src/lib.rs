@@ -12,6 +12,7 @@
 //! [`compile`] goes from a file's name to the field graph. Every stage is a function from one plain datum to the next;
 //! no stage looks back, and none touches a file, a clock or a GPU: files come through the caller's [`World`].
 
+mod provenance;
 mod scene;
 
 use std::panic::resume_unwind;
@@ -25,6 +26,7 @@ pub use chiaro_shader as shader;
 pub use chiaro_solid as solid;
 pub use chiaro_syntax as syntax;
 pub use chiaro_vocabulary as vocabulary;
+pub use provenance::{Bent, Matrix, Origin, Provenance, SolidId, Tree};
 pub use scene::Scene;
 
 /// What compiling a file came to: a scene unless there is an error, and in any case what there is to say.

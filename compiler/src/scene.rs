@@ -44,8 +44,16 @@ impl Scene {
 
     /// The field to draw: the scene's own, or, of a plane scene, that of a slab with its outline.
     pub fn picture(&self) -> Graph {
+        match self.dimension() {
+            Some(Dimension::Plane) => chiaro_field::lower(&self.drawn()).0,
+            _ => self.graph.clone(),
+        }
+    }
+
+    /// The solid to draw: the scene's own, or a slab of a plane scene.
+    pub(crate) fn drawn(&self) -> Arc<Solid> {
         if self.dimension() != Some(Dimension::Plane) {
-            return self.graph.clone();
+            return self.solid.clone();
         }
         let bounds = self.graph.facts[self.graph.root.0 as usize].bounds;
         let width = (bounds.max[0] - bounds.min[0]).hypot(bounds.max[1] - bounds.min[1]);
@@ -56,6 +64,6 @@ impl Scene {
             scale: [Scalar::ONE, Scalar::ONE],
             child: self.solid.clone(),
         };
-        chiaro_field::lower(&Solid::new(slab, self.solid.span)).0
+        Solid::new(slab, self.solid.span)
     }
 }

@@ -14,7 +14,8 @@ use crate::value::Value;
 use crate::{foreign, geometry, suggest};
 
 /// The modules that are part of the language rather than geometry.
-const CONTROL: [&str; 9] = ["for", "intersection_for", "if", "let", "assign", "echo", "assert", "children", "child"];
+pub(crate) const CONTROL: [&str; 9] =
+    ["for", "intersection_for", "if", "let", "assign", "echo", "assert", "children", "child"];
 
 /// The work of moving a light or a camera, in steps.
 const ASIDE_STEPS: u64 = 200;
@@ -108,7 +109,7 @@ impl<'t> Evaluator<'t> {
         self.calls.truncate(calls);
         self.leave();
         let built = match result? {
-            Some(built) => built,
+            Some(built) => Built { solid: built.solid.seen_from(instance.head), ..built },
             None if aside.is_empty() => return Ok(None),
             None => Built::new(Solid::new(SolidKind::Empty, instance.head), 1),
         };
@@ -388,9 +389,11 @@ impl<'t> Evaluator<'t> {
                 known.extend(self.used_plan(*file).modules.keys().map(|name| (*name).clone()));
             }
         }
-        let mut error = Diagnostic::error(span, format!("there is no module `{name}`"));
-        let nearest = || suggest::hint(name, known.iter().map(|name| &**name));
-        error.hints.extend(foreign::module_hint(name).or_else(nearest));
+        let error = Diagnostic::error(span, format!("there is no module `{name}`"));
+        let error = match foreign::module_hint(name) {
+            Some(hint) => error.with_hint(hint),
+            None => suggest::with_nearest(error, span, name, known.iter().map(|name| &**name)),
+        };
         self.error(error)
     }
 

@@ -114,7 +114,16 @@ impl Builder {
 
     /// The graph of what the root needs.
     pub(crate) fn finish(self, root: NodeId) -> Graph {
-        let graph = Graph {
+        completed(walk::compacted(self.graph(root)))
+    }
+
+    /// The graph of all there is, numbered as it is here.
+    pub(crate) fn finish_whole(self, root: NodeId) -> Graph {
+        completed(self.graph(root))
+    }
+
+    fn graph(self, root: NodeId) -> Graph {
+        Graph {
             points: self.points.items,
             nodes: self.nodes.items,
             facts: self.facts,
@@ -122,12 +131,14 @@ impl Builder {
             root,
             materials: self.materials.items,
             slots: Vec::new(),
-        };
-        let mut graph = walk::compacted(graph);
-        walk::forget_growth_below_tapers(&mut graph);
-        graph.slots = walk::slots(&graph);
-        graph
+        }
     }
+}
+
+fn completed(mut graph: Graph) -> Graph {
+    walk::forget_growth_below_tapers(&mut graph);
+    graph.slots = walk::slots(&graph);
+    graph
 }
 
 /// The maps that undo those of the points, as they were composed: their ranges are tighter than those of an inverse.

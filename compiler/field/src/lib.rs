@@ -2,6 +2,8 @@
 //!
 //! * [`graph`] says what a field graph is, and [`facts`] what is known of its nodes.
 //! * [`lower()`] makes one of a solid tree. It fuses transforms, shares what is equal and leaves out what is not seen.
+//! * [`lower_with_lineage()`] keeps, beside the graph, what each solid came to: for editors, which go from a surface back
+//!   to the text.
 //! * [`Evaluator`] answers distances and gradients; [`Graph::bounds_at`] boxes at certain values of live numbers.
 //! * [`print()`] shows a graph as text.
 //!
@@ -15,6 +17,7 @@ mod extent;
 pub mod facts;
 pub mod graph;
 mod hull;
+pub mod lineage;
 mod lower;
 mod matrix;
 mod print;
@@ -24,5 +27,6 @@ pub use chiaro_vocabulary::{Bounds, Class};
 pub use evaluate::Evaluator;
 pub use facts::Facts;
 pub use graph::{Graph, MaterialId, Node, NodeId, Operation, Point, PointId};
-pub use lower::lower;
+pub use lineage::{Lineage, Step, StepId};
+pub use lower::{lower, lower_with_lineage};
 pub use print::print;

@@ -24,6 +24,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use crate::build::Builder;
 use crate::extent::WORLD;
 use crate::graph::{Graph, Node, NodeId, Point};
+use crate::lineage::{Lineage, Recorder};
 use context::Context;
 
 /// More nodes than this are refused: it is far beyond what any shader could hold, but within memory.
@@ -36,11 +37,7 @@ const STEEPEST: f64 = 1e9;
 /// the error is about.
 pub fn lower(root: &Arc<Solid>) -> (Graph, Vec<Diagnostic>) {
     let mut lowering = Lowering::new();
-    let context = match root.dimension() {
-        Some(Dimension::Plane) => lowering.slice_of_world(),
-        Some(Dimension::Space) | None => lowering.context(WORLD),
-    };
-    let lowered = lowering.lower(root, &context);
+    let lowered = lowering.lower_root(root);
     if let Some(root) = lowered {
         lowering.check_slopes(root);
     }
@@ -50,12 +47,23 @@ pub fn lower(root: &Arc<Solid>) -> (Graph, Vec<Diagnostic>) {
     (builder.finish(root), diagnostics)
 }
 
+/// Lowers a scene and keeps, for each of its solids, the node that it came to.
+pub fn lower_with_lineage(root: &Arc<Solid>) -> Lineage {
+    let mut lowering = Lowering { recorder: Some(Recorder::default()), ..Lowering::new() };
+    let lowered = lowering.lower_root(root);
+    let Lowering { mut builder, recorder, .. } = lowering;
+    let root = lowered.unwrap_or_else(|| builder.node(Node::Nothing, root.span, Class::Exact, 1.0));
+    Lineage { graph: builder.finish_whole(root), steps: recorder.unwrap_or_default().steps }
+}
+
 /// The state of lowering one tree.
 struct Lowering {
     builder: Builder,
     /// What shared subtrees came to, by their address and their context. The tree outlives this.
     lowered: FxHashMap<(*const Solid, u32), Option<NodeId>>,
     contexts: u32,
+    /// What it writes down, if somebody wants to know what became of each solid.
+    recorder: Option<Recorder>,
     /// The contexts in which solids are measured in their own coordinates: in space and in the plane.
     probes: Option<Rc<[Context; 2]>>,
     diagnostics: Vec<Diagnostic>,
@@ -69,20 +77,40 @@ impl Lowering {
             builder: Builder::new(),
             lowered: FxHashMap::default(),
             contexts: 0,
+            recorder: None,
             probes: None,
             diagnostics: Vec::new(),
             said: FxHashSet::default(),
         }
     }
 
+    fn lower_root(&mut self, root: &Arc<Solid>) -> Option<NodeId> {
+        let context = match root.dimension() {
+            Some(Dimension::Plane) => self.slice_of_world(),
+            Some(Dimension::Space) | None => self.context(WORLD),
+        };
+        self.lower(root, &context)
+    }
+
     /// The node for a solid; none if there is nothing of it.
     fn lower(&mut self, solid: &Arc<Solid>, context: &Context) -> Option<NodeId> {
+        let shared = Arc::strong_count(solid) > 1 || context.probe;
+        if let Some(recorder) = self.recorder.as_mut().filter(|_| !context.probe) {
+            recorder.enter(solid);
+        }
+        let node = self.lower_once(solid, shared, context);
+        if let Some(recorder) = self.recorder.as_mut().filter(|_| !context.probe) {
+            recorder.leave(node);
+        }
+        node
+    }
+
+    fn lower_once(&mut self, solid: &Arc<Solid>, shared: bool, context: &Context) -> Option<NodeId> {
         if self.builder.len() > MOST_NODES {
             self.say(Diagnostic::error(solid.span, format!("the scene has more than {MOST_NODES} parts")));
             return None;
         }
         let key = (Arc::as_ptr(solid), context.id);
-        let shared = Arc::strong_count(solid) > 1 || context.probe;
         if let (true, Some(known)) = (shared, self.lowered.get(&key)) {
             return *known;
         }

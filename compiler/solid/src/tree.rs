@@ -34,6 +34,9 @@ pub struct Solid {
     pub kind: SolidKind,
     /// The text it came from: the head of a module's instance.
     pub span: Span,
+    /// The heads of the instances that came to this very solid, the innermost first: a module or a loop with one solid
+    /// in it, a move by nothing.
+    pub via: Vec<Span>,
 }
 
 /// The kinds of solid.
@@ -129,7 +132,17 @@ pub enum Profile {
 impl Solid {
     /// A node of that kind, written at `span`.
     pub fn new(kind: SolidKind, span: Span) -> Arc<Self> {
-        Arc::new(Self { kind, span })
+        Arc::new(Self { kind, span, via: Vec::new() })
+    }
+
+    /// The same, as what the instance with this head came to.
+    pub fn seen_from(self: Arc<Self>, head: Span) -> Arc<Self> {
+        if self.span == head || self.via.last() == Some(&head) {
+            return self;
+        }
+        let mut solid = Arc::unwrap_or_clone(self);
+        solid.via.push(head);
+        Arc::new(solid)
     }
 
     /// Whether it is a plane shape or a solid; an empty one is neither.
