@@ -122,9 +122,8 @@ fn gpu() -> &'static Gpu {
 
 fn drawn(scene: &Scene, [width, height]: [u32; 2], samples: u32) -> Picture {
     let (graph, values) = (scene.picture(), scene.defaults());
-    let bounds = graph.bounds_at(&values)[graph.root.0 as usize];
-    let view = View::framing(&scene.camera, &values, &bounds, f64::from(width) / f64::from(height));
     let model = Model::new(gpu(), &graph, &values).unwrap();
+    let view = View::framing_model(gpu(), &model, &scene.camera, f64::from(width) / f64::from(height)).unwrap();
     let mut picture = Picture::new(gpu(), &model, view, [width, height]).unwrap();
     for _ in 0..samples {
         picture.sample().unwrap();

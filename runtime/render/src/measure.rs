@@ -1,7 +1,7 @@
 //! Measuring how far a scene really reaches.
 //!
 //! The compiler's bounds are sound but may be loose: what a difference cuts off still counts. A floor has to be where
-//! the scene ends, and a picture should be filled, so the prepass looks at the scene from all six sides.
+//! the scene ends, and a picture should be filled, so the prepass looks at the scene from outside.
 
 use chiaro_vocabulary::Bounds;
 use wgpu::BindGroup;
@@ -12,17 +12,8 @@ use crate::kernel::{Slot, buffer, workgroups};
 use crate::model::Model;
 use crate::stopwatch::Stopwatch;
 use crate::uniform::{Level, Studio, ViewUniform};
-use crate::view::View;
+use crate::view::{View, bounds_support};
 
-/// The sides: OpenSCAD's rotation, the axis looked along, and whether the look goes from its lower end.
-const SIDES: [([f64; 3], usize, bool); 6] = [
-    ([180.0, 0.0, 0.0], 2, true),
-    ([0.0, 0.0, 0.0], 2, false),
-    ([90.0, 0.0, -90.0], 0, true),
-    ([90.0, 0.0, 90.0], 0, false),
-    ([90.0, 0.0, 0.0], 1, true),
-    ([90.0, 0.0, 180.0], 1, false),
-];
 /// The edge in pixels of what is seen from a side.
 const SIZE: u32 = 128;
 /// Widths of cones, in pixels; behind them come rays without width.
@@ -35,8 +26,14 @@ const CONES_END_EARLY: f64 = 0.04;
 /// The box that the model fills, within its bounds, for its present live numbers.
 pub(crate) fn extent(gpu: &Gpu, model: &Model) -> Result<Bounds> {
     let mut extent = model.bounds;
-    for side in SIDES {
-        narrow(gpu, model, side, &mut extent)?;
+    for axis in 0..3 {
+        let [below, above] = [-1.0, 1.0].map(|side| {
+            let mut direction = [0.0; 3];
+            direction[axis] = side;
+            support(gpu, model, direction)
+        });
+        extent.min[axis] = -below?;
+        extent.max[axis] = above?;
     }
     // Nothing is to be seen: there is nothing to be framed but the bounds.
     Ok(if extent.is_empty() { model.bounds } else { extent })
@@ -44,33 +41,29 @@ pub(crate) fn extent(gpu: &Gpu, model: &Model) -> Result<Bounds> {
 
 /// The height of the model's lowest point, for its present live numbers.
 pub(crate) fn lowest(gpu: &Gpu, model: &Model) -> Result<f64> {
-    let mut extent = model.bounds;
-    narrow(gpu, model, SIDES[0], &mut extent)?;
-    Ok(extent.min[2])
+    Ok(-support(gpu, model, [0.0, 0.0, -1.0])?)
 }
 
-/// Moves one side of the box inwards to what is seen from there.
-fn narrow(gpu: &Gpu, model: &Model, side: ([f64; 3], usize, bool), extent: &mut Bounds) -> Result<()> {
-    let (rotation, axis, from_below) = side;
+/// How far the model reaches in a direction, for its present live numbers: the most that p · direction is for a point p
+/// of it.
+pub(crate) fn support(gpu: &Gpu, model: &Model, direction: [f64; 3]) -> Result<f64> {
     let bounds = &model.bounds;
-    let diagonal = bounds.diagonal();
+    let (diagonal, size) = (bounds.diagonal(), direction.iter().map(|x| x * x).sum::<f64>().sqrt());
     let distance = REMOTE * diagonal;
     let field_of_view = 2.0 * (0.5 / (REMOTE - 0.5)).atan().to_degrees();
-    let view = View { target: bounds.center(), rotation, distance, field_of_view };
+    let eye = [0, 1, 2].map(|axis| bounds.center()[axis] + distance / size * direction[axis]);
+    let view = View::from_eye(eye, bounds.center(), field_of_view);
 
+    let of_eye: f64 = (0..3).map(|axis| eye[axis] * direction[axis]).sum();
+    let of_bounds = bounds_support(bounds, direction);
     let [by_cones, by_rays] = nearest(gpu, model, &view)?;
-    let depth_of_far_side = distance + 0.5 * bounds.size()[axis];
-    if by_cones >= depth_of_far_side {
-        return Ok(());
+    let half_depth: f64 = (0..3).map(|axis| 0.5 * bounds.size()[axis] * direction[axis].abs() / size).sum();
+    if by_cones >= distance + half_depth {
+        return Ok(of_bounds);
     }
     let thin_missed = by_rays - by_cones > CONES_END_EARLY * diagonal;
     let beyond_eye = if thin_missed { by_cones } else { by_rays };
-    if from_below {
-        extent.min[axis] = extent.min[axis].max(view.eye()[axis] + beyond_eye);
-    } else {
-        extent.max[axis] = extent.max[axis].min(view.eye()[axis] - beyond_eye);
-    }
-    Ok(())
+    Ok(of_bounds.min(of_eye - size * beyond_eye))
 }
 
 /// How far before the eye anything begins: never too far by cones, and at least so far by rays.

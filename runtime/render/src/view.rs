@@ -1,14 +1,21 @@
 //! From where a scene is seen.
 
+use std::convert::Infallible;
+
 use chiaro_solid::{Camera, Scalar};
 use chiaro_vocabulary::Bounds;
+
+use crate::error;
+use crate::gpu::Gpu;
+use crate::measure;
+use crate::model::Model;
 
 /// OpenSCAD's turn of the scene before the camera, in degrees, where none is given.
 const DEFAULT_ROTATION: [f64; 3] = [55.0, 0.0, 25.0];
 /// OpenSCAD's vertical field of view in degrees, where none is given.
 const DEFAULT_FIELD_OF_VIEW: f64 = 22.5;
 /// How much of the picture's width or height a framed scene may take.
-const FILLED: f64 = 0.86;
+const FILLED: f64 = 0.82;
 /// Where a scene has no end, it is drawn this many times as far as its parts with an end reach.
 const ENDLESS: f64 = 3.0;
 /// The edge in millimetres of what is framed where there is nothing, or nothing with an end.
@@ -38,27 +45,51 @@ pub(crate) struct Axes {
 impl View {
     /// The view that a scene asks for; what it leaves open is chosen so that these bounds fill the picture.
     pub fn framing(camera: &Camera, parameters: &[f64], bounds: &Bounds, aspect: f64) -> Self {
+        let bounds = drawn_bounds(bounds);
+        let support = |direction| Ok::<_, Infallible>(bounds_support(&bounds, direction));
+        let Ok(view) = Self::filled(camera, parameters, &bounds, support, aspect);
+        view
+    }
+
+    /// The view that a scene asks for; what it leaves open is chosen so that the model, for its present live numbers,
+    /// fills the picture.
+    pub fn framing_model(gpu: &Gpu, model: &Model, camera: &Camera, aspect: f64) -> error::Result<Self> {
+        let extent = drawn_bounds(&model.extent(gpu)?);
+        let support = |direction| measure::support(gpu, model, direction);
+        Self::filled(camera, &model.parameters(), &extent, support, aspect)
+    }
+
+    /// The view that a scene asks for; what it leaves open is chosen so that something within these bounds, whose
+    /// support function this is, fills the picture.
+    fn filled<E>(
+        camera: &Camera,
+        parameters: &[f64],
+        bounds: &Bounds,
+        support: impl FnMut([f64; 3]) -> Result<f64, E>,
+        aspect: f64,
+    ) -> Result<Self, E> {
         let value = |scalar: &Scalar| scalar.value(parameters);
         let rotation = camera.rotation.as_ref().map_or(DEFAULT_ROTATION, |r| [0, 1, 2].map(|axis| value(&r[axis])));
         let field_of_view = camera.field_of_view.as_ref().map_or(DEFAULT_FIELD_OF_VIEW, value).clamp(0.1, 170.0);
         if let Some(eye) = &camera.eye {
             let point = |p: &[Scalar; 3]| [0, 1, 2].map(|axis| value(&p[axis]));
             let target = camera.target.as_ref().map_or([0.0; 3], point);
-            return View::from_eye(point(eye), target, field_of_view);
+            return Ok(View::from_eye(point(eye), target, field_of_view));
         }
-        let bounds = &drawn_bounds(bounds);
         let target = camera.target.as_ref().map(|t| [0, 1, 2].map(|axis| value(&t[axis])));
 
         let undirected = View { target: target.unwrap_or(bounds.center()), rotation, distance: 0.0, field_of_view };
-        let (shift, fitting) = undirected.fit(bounds, aspect, target.is_none());
+        let is_open = target.is_none() || camera.distance.is_none();
+        let fit = if is_open { undirected.fit(support, aspect, target.is_none())? } else { Default::default() };
+        let (shift, fitting) = fit;
         let axes = undirected.axes();
         let distance = camera.distance.as_ref().map_or(fitting, value).max(1e-6 * bounds.diagonal());
         let shifted = |axis: usize| undirected.target[axis] + shift[0] * axes.right[axis] + shift[1] * axes.up[axis];
-        View { target: [0, 1, 2].map(shifted), distance, ..undirected }
+        Ok(View { target: [0, 1, 2].map(shifted), distance, ..undirected })
     }
 
     /// From an eye to a target, z upwards; straight down and straight up, x is to the right.
-    fn from_eye(eye: [f64; 3], target: [f64; 3], field_of_view: f64) -> Self {
+    pub(crate) fn from_eye(eye: [f64; 3], target: [f64; 3], field_of_view: f64) -> Self {
         let [x, y, z] = [0, 1, 2].map(|axis| target[axis] - eye[axis]);
         let across = x.hypot(y);
         let tilt = across.atan2(-z).to_degrees();
@@ -93,30 +124,35 @@ impl View {
         Axes { right: turned([1.0, 0.0, 0.0]), up: turned([0.0, 1.0, 0.0]), forward: turned([0.0, 0.0, -1.0]) }
     }
 
-    /// How far to move the target to the right and upwards, and how far away to look from, so that all corners of
-    /// the box are in the picture.
+    /// How far to move the target to the right and upwards, and how far away to look from, so that all of what has
+    /// this support function is in the picture.
     ///
-    /// A corner at (x, y) that lies f behind the target is within the right edge if x − s ≤ w (f + D), for a shift s,
-    /// a distance D and half a width w at a distance of 1; and so on for each edge. The sum of the conditions of
-    /// opposite edges bounds D, and their difference is the shift that is best for every D.
-    fn fit(&self, bounds: &Bounds, aspect: f64, may_shift: bool) -> ([f64; 2], f64) {
+    /// A point at (x, y) that lies f behind the target is within the right edge if x − s ≤ w (f + D), for a shift s,
+    /// a distance D and half a width w at a distance of 1; and so on for each edge. So only the most that x − w f may
+    /// be counts: the support in the direction of the edge's plane. The sum of the conditions of opposite edges bounds
+    /// D, and their difference is the shift that is best for every D.
+    fn fit<E>(
+        &self,
+        mut support: impl FnMut([f64; 3]) -> Result<f64, E>,
+        aspect: f64,
+        may_shift: bool,
+    ) -> Result<([f64; 2], f64), E> {
         let axes = self.axes();
         let half_extents = [FILLED * self.half_height() * aspect, FILLED * self.half_height()];
         let mut shift = [0.0; 2];
         let mut distance: f64 = 0.0;
         for (side, (sideways, half_extent)) in [axes.right, axes.up].into_iter().zip(half_extents).enumerate() {
-            let mut most = [f64::NEG_INFINITY; 2];
-            for corner in corners(bounds) {
-                let from_target = [0, 1, 2].map(|axis| corner[axis] - self.target[axis]);
-                let (x, f) = (dot(from_target, sideways), dot(from_target, axes.forward));
-                most = [most[0].max(x - half_extent * f), most[1].max(-x - half_extent * f)];
+            let mut most = [0.0; 2];
+            for (most, sign) in most.iter_mut().zip([1.0, -1.0]) {
+                let direction = [0, 1, 2].map(|axis| sign * sideways[axis] - half_extent * axes.forward[axis]);
+                *most = support(direction)? - dot(self.target, direction);
             }
             if may_shift {
                 shift[side] = 0.5 * (most[0] - most[1]);
             }
             distance = distance.max((most[0] - shift[side]).max(most[1] + shift[side]) / half_extent);
         }
-        (shift, distance)
+        Ok((shift, distance))
     }
 }
 
@@ -134,8 +170,9 @@ pub(crate) fn drawn_bounds(bounds: &Bounds) -> Bounds {
     clipped.inflate(margin)
 }
 
-fn corners(bounds: &Bounds) -> impl Iterator<Item = [f64; 3]> + '_ {
-    (0..8).map(|corner| [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] }))
+/// The most that p · direction is for a point p of a box.
+pub(crate) fn bounds_support(bounds: &Bounds, direction: [f64; 3]) -> f64 {
+    (0..3).map(|axis| (bounds.min[axis] * direction[axis]).max(bounds.max[axis] * direction[axis])).sum()
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -148,6 +185,12 @@ mod tests {
 
     fn close(a: [f64; 3], b: [f64; 3]) {
         assert!((0..3).all(|axis| (a[axis] - b[axis]).abs() < 1e-9), "{a:?} is not {b:?}");
+    }
+
+    fn corners(bounds: &Bounds) -> impl Iterator<Item = [f64; 3]> + '_ {
+        (0..8).map(|corner| {
+            [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] })
+        })
     }
 
     #[test]

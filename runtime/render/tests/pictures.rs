@@ -204,6 +204,23 @@ fn the_extent_is_what_is_there_and_not_what_was_cut_off() {
 }
 
 #[test]
+fn a_model_fills_its_picture_wherever_it_is() {
+    for centre in [[0.0; 3], [40.0, -70.0, 12.0]] {
+        let mut scene = Builder::new();
+        scene.constant("sphere", &[10.0], centre);
+        let model = Model::new(gpu(), &scene.done(), &[]).unwrap();
+        let view = View::framing_model(gpu(), &model, &Camera::default(), 1.5).unwrap();
+        // The sphere's silhouette as a part of the picture's height, where its centre is in the picture's.
+        let eye = view.eye();
+        let distance = (0..3).map(|axis| (eye[axis] - centre[axis]).powi(2)).sum::<f64>().sqrt();
+        let part = 10.0 / (distance * distance - 100.0).sqrt() / (0.5 * view.field_of_view).to_radians().tan();
+        assert!((0.78..0.84).contains(&part), "{view:?}: {part}");
+        let off_target = (0..3).map(|axis| (view.target[axis] - centre[axis]).powi(2)).sum::<f64>().sqrt();
+        assert!(off_target < 0.2, "{view:?}");
+    }
+}
+
+#[test]
 fn nothing_and_endless_solids_are_drawn_too() {
     let mut nothing = Builder::new();
     nothing.add(Node::Nothing, Bounds::EMPTY);
@@ -211,7 +228,7 @@ fn nothing_and_endless_solids_are_drawn_too() {
     ground.constant("half_space", &[0.0, 0.0, 1.0, 0.0], [0.0; 3]);
     for graph in [nothing.done(), ground.done()] {
         let model = Model::new(gpu(), &graph, &[]).unwrap();
-        let view = View::framing(&Camera::default(), &[], &model.extent(gpu()).unwrap(), 1.5);
+        let view = View::framing_model(gpu(), &model, &Camera::default(), 1.5).unwrap();
         let mut picture = Picture::new(gpu(), &model, view, [48, 32]).unwrap();
         picture.sample().unwrap();
         assert!(picture.hdr().unwrap().iter().flatten().all(|component| component.is_finite()));

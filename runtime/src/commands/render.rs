@@ -105,7 +105,11 @@ impl Studio {
             (false, Some(_)) => Floor::At(frame.min[2]),
             (false, None) => Floor::Measured,
         };
-        let view = View::framing(&camera, &values, &frame, aspect);
+        // All pictures of a movement are seen from the same place; a single one is filled by what it shows.
+        let view = match arguments.frames {
+            Some(_) => View::framing(&camera, &values, &frame, aspect),
+            None => View::framing_model(gpu, &model, &camera, aspect)?,
+        };
         let mut picture = Picture::new(gpu, &model, view, [width, height])?;
         picture.set_floor(floor)?;
         let mut studio = Self {
