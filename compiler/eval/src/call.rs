@@ -116,9 +116,8 @@ impl<'t> Evaluator<'t> {
             let functions = plan.functions.keys().chain(used.iter().flat_map(|plan| plan.functions.keys()));
             known.extend(functions.map(|name| (*name).clone()));
         }
-        let mut error = Diagnostic::error(span, format!("there is no function `{name}`"));
-        error.hints.extend(suggest::hint(name, known.iter().map(|name| &**name)));
-        self.error(error)
+        let error = Diagnostic::error(span, format!("there is no function `{name}`"));
+        self.error(suggest::with_nearest(error, span, name, known.iter().map(|name| &**name)))
     }
 
     /// Evaluates arguments and binds them to a function's parameters.
@@ -229,9 +228,8 @@ impl<'t> Evaluator<'t> {
                 let is_parameter = parameters.iter().any(|parameter| parameter.name.node == name);
                 if !is_parameter && !Specials::is_special(&name) {
                     let known = parameters.iter().map(|parameter| &*parameter.name.node);
-                    let mut warning = Diagnostic::warning(place, format!("`{callee}` has no parameter `{name}`"));
-                    warning.hints.extend(suggest::hint(&name, known));
-                    self.warn(warning);
+                    let warning = Diagnostic::warning(place, format!("`{callee}` has no parameter `{name}`"));
+                    self.warn(suggest::with_nearest(warning, place, &name, known));
                 }
                 values.push((name, Some(value)));
             } else if let Some(name) = unnamed.find(|name| !values.iter().any(|(given, _)| given == *name)) {

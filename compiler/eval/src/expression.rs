@@ -175,9 +175,9 @@ impl<'t> Evaluator<'t> {
         match self.known_variable(name, span, scope)? {
             Some(value) => Ok(value),
             None if name.starts_with('$') => {
-                let hint = suggest::hint(name, self.specials.names().map(|name| &**name));
-                let mut warning = Diagnostic::warning(span, format!("nothing sets `{name}`, so this is undef"));
-                warning.hints.extend(hint);
+                let warning = Diagnostic::warning(span, format!("nothing sets `{name}`, so this is undef"));
+                let known = self.specials.names().map(|name| &**name);
+                let warning = suggest::with_nearest(warning, span, name, known);
                 self.warn(warning);
                 Ok(Value::Undef)
             }
@@ -220,7 +220,7 @@ impl<'t> Evaluator<'t> {
             };
         } else {
             let known: Vec<Name> = scope.chain().flat_map(Scope::names).collect();
-            error.hints.extend(suggest::hint(name, known.iter().map(|name| &**name).chain(["PI"])));
+            error = suggest::with_nearest(error, span, name, known.iter().map(|name| &**name).chain(["PI"]));
         }
         self.error(error)
     }

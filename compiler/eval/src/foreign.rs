@@ -69,11 +69,11 @@ pub(crate) fn module_hint(name: &str) -> Option<String> {
 }
 
 /// Which of the known parameters another language's parameter corresponds to.
-pub(crate) fn parameter_hint<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+pub(crate) fn parameter<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
     let (_, ours) = PARAMETERS.iter().find(|(names, _)| names.contains(&name))?;
     let known: Vec<&str> = known.collect();
     let meant = ours.iter().find(|ours| known.contains(ours))?;
-    Some(format!("did you mean `{meant}`?"))
+    Some((*meant).to_owned())
 }
 
 #[cfg(test)]
@@ -81,10 +81,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn foreign_parameters_are_hinted_at_where_there_is_such_a_one() {
-        let hint = |name: &str, known: &[&'static str]| parameter_hint(name, known.iter().copied());
-        assert_eq!(hint("radius", &["r", "joint"]).as_deref(), Some("did you mean `r`?"));
-        assert_eq!(hint("rounding", &["h", "r", "edge"]).as_deref(), Some("did you mean `edge`?"));
-        assert_eq!(hint("radius", &["v"]), None);
+    fn foreign_parameters_are_guessed_where_there_is_such_a_one() {
+        let meant = |name: &str, known: &[&'static str]| parameter(name, known.iter().copied());
+        assert_eq!(meant("radius", &["r", "joint"]).as_deref(), Some("r"));
+        assert_eq!(meant("rounding", &["h", "r", "edge"]).as_deref(), Some("edge"));
+        assert_eq!(meant("radius", &["v"]), None);
     }
 }

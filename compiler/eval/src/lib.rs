@@ -21,6 +21,8 @@ mod scope;
 mod suggest;
 mod value;
 
+pub mod names;
+
 mod geometry;
 mod options;
 mod settings;

@@ -200,7 +200,8 @@ impl<'t> Evaluator<'t> {
                 let message = format!("the scene has no variable `{}` to set", definition.name);
                 let mut error = Diagnostic::error(definition.span, message);
                 let known = plan.assignments.iter().map(|planned| &*planned.first.name.node);
-                error.hints.extend(suggest::hint(&definition.name, known));
+                let nearest = suggest::nearest(&definition.name, known);
+                error.hints.extend(nearest.map(|nearest| format!("did you mean `{nearest}`?")));
                 self.error(error);
                 continue;
             }

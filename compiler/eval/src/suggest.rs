@@ -1,5 +1,7 @@
 //! "Did you mean": the known name nearest to an unknown one.
 
+use chiaro_syntax::{Diagnostic, Span};
+
 /// The most similar of the known names, if one is similar enough to be what was meant.
 pub(crate) fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
     let likeness = |other: &str| {
@@ -16,7 +18,20 @@ pub(crate) fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> O
     best.map(|(_, other)| other.to_string())
 }
 
-/// The hint for a name that is not known.
-pub(crate) fn hint<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
-    nearest(name, known).map(|nearest| format!("did you mean `{nearest}`?"))
+/// A diagnostic about a name that is not known, written at `span`, with the nearest one that is known.
+pub(crate) fn with_nearest<'a>(
+    diagnostic: Diagnostic,
+    span: Span,
+    name: &str,
+    known: impl Iterator<Item = &'a str>,
+) -> Diagnostic {
+    match nearest(name, known) {
+        Some(nearest) => meant(diagnostic, span, &nearest),
+        None => diagnostic,
+    }
+}
+
+/// A diagnostic with the name that may have been meant at `span`.
+pub(crate) fn meant(diagnostic: Diagnostic, span: Span, name: &str) -> Diagnostic {
+    diagnostic.with_hint(format!("did you mean `{name}`?")).with_suggestion(span, name)
 }

@@ -22,6 +22,15 @@ pub struct Label {
     pub message: String,
 }
 
+/// A change of the text that would mend what a diagnostic is about.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Suggestion {
+    /// What gives way; empty where something is missing.
+    pub span: Span,
+    /// What should stand there.
+    pub text: String,
+}
+
 /// One thing to tell the user: what is wrong, where, and how to mend it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -37,13 +46,15 @@ pub struct Diagnostic {
     pub related: Vec<Label>,
     /// How to mend it.
     pub hints: Vec<String>,
+    /// Changes of the text that would mend it, the likeliest first. Each is one by itself.
+    pub suggestions: Vec<Suggestion>,
 }
 
 impl Diagnostic {
     /// A diagnostic of that severity about `span`.
     pub fn new(severity: Severity, span: impl Into<Option<Span>>, message: impl Into<String>) -> Self {
         let (message, span) = (message.into(), span.into());
-        Self { severity, message, span, label: None, related: Vec::new(), hints: Vec::new() }
+        Self { severity, message, span, label: None, related: Vec::new(), hints: Vec::new(), suggestions: Vec::new() }
     }
 
     /// An error about `span`.
@@ -70,6 +81,12 @@ impl Diagnostic {
     /// Adds a place that explains the diagnostic.
     pub fn with_related(mut self, span: Span, message: impl Into<String>) -> Self {
         self.related.push(Label { span, message: message.into() });
+        self
+    }
+
+    /// Adds a change of the text that would mend it.
+    pub fn with_suggestion(mut self, span: Span, text: impl Into<String>) -> Self {
+        self.suggestions.push(Suggestion { span, text: text.into() });
         self
     }
 

@@ -2,7 +2,7 @@
 
 use nom::branch::alt;
 use nom::bytes::complete::{is_not, tag, take_until, take_while, take_while1};
-use nom::character::complete::{anychar, char, digit0, digit1, hex_digit1, one_of, satisfy};
+use nom::character::complete::{anychar, char, digit1, hex_digit1, one_of, satisfy};
 use nom::combinator::{map_opt, opt, recognize, value};
 use nom::multi::many0_count;
 use nom::sequence::{delimited, preceded};
@@ -19,8 +19,8 @@ use raw_string::RawStrings;
 const END_OF_TEXT: char = '\x03';
 
 /// All tokens of a text, comments included, such as an editor needs for highlighting.
-pub fn tokens(text: &str) -> Vec<Token> {
-    let mut lexer = Lexer::new(text, Dialect::Program);
+pub fn tokens(text: &str, dialect: Dialect) -> Vec<Token> {
+    let mut lexer = Lexer::new(text, dialect);
     std::iter::from_fn(|| Some(lexer.next()).filter(|token| token.kind != TokenKind::End)).collect()
 }
 
@@ -159,7 +159,9 @@ fn word(text: &str) -> IResult<&str, &str> {
 
 fn number(text: &str) -> IResult<&str, &str> {
     let hexadecimal = recognize((tag("0x"), hex_digit1));
-    let whole = recognize((digit1, opt((char('.'), digit0))));
+    // Not nom's `digit0`: at the end of the text it answers a rest from which `recognize` can't tell what was read.
+    let decimals = take_while(|digit: char| digit.is_ascii_digit());
+    let whole = recognize((digit1, opt((char('.'), decimals))));
     let fraction = recognize((char('.'), digit1));
     let exponent = (one_of("eE"), opt(one_of("+-")), digit1);
     alt((hexadecimal, recognize((alt((whole, fraction)), opt(exponent))))).parse(text)
@@ -240,13 +242,13 @@ mod tests {
     use super::*;
 
     fn words(text: &str) -> Vec<(TokenKind, &str)> {
-        tokens(text).into_iter().map(|token| (token.kind, &text[token.range()])).collect()
+        tokens(text, Dialect::Program).into_iter().map(|token| (token.kind, &text[token.range()])).collect()
     }
 
     #[test]
     fn numbers_and_names_take_as_much_as_they_can() {
         use TokenKind::{Dot, Name, Number};
-        for number in ["1", "1.", ".5", "1e-3", "1.5E+10", "0x1F", "1.e2"] {
+        for number in ["1", "1.", "12.5", ".5", "1e-3", "1.5E+10", "0x1F", "1.e2"] {
             assert_eq!(words(number), [(Number, number)]);
         }
         for name in ["2d_shape", "$fn", "_", "1e", "0x", "0x1G", "modules"] {
@@ -287,7 +289,7 @@ mod tests {
     #[test]
     fn two_signs_are_one_operator_where_they_can_be() {
         use TokenKind::*;
-        let kinds: Vec<_> = tokens("<<=>>&&&|||!==").into_iter().map(|token| token.kind).collect();
+        let kinds: Vec<_> = tokens("<<=>>&&&|||!==", Dialect::Program).into_iter().map(|token| token.kind).collect();
         assert_eq!(
             kinds,
             [ShiftLeft, Assign, ShiftRight, AmpersandAmpersand, Ampersand, BarBar, Bar, NotEqual, Assign]

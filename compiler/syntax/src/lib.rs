@@ -18,7 +18,7 @@ mod string;
 mod testing;
 mod token;
 
-pub use diagnostic::{Diagnostic, Label, Severity};
+pub use diagnostic::{Diagnostic, Label, Severity, Suggestion};
 pub use lexer::tokens;
 pub use parser::{Dialect, MAX_FILE_BYTES, MAX_NODES, parse};
 pub use printer::print;

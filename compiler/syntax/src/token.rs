@@ -123,12 +123,12 @@ impl TokenKind {
     }
 
     /// Whether a module instantiation can have this as its name.
-    pub(crate) fn names_module(self) -> bool {
+    pub fn names_module(self) -> bool {
         matches!(self, Self::Name | Self::For | Self::Let | Self::Assert | Self::Echo | Self::Each)
     }
 
     /// Whether an expression can begin with it.
-    pub(crate) fn begins_expression(self) -> bool {
+    pub fn begins_expression(self) -> bool {
         matches!(
             self,
             Self::Name
@@ -153,7 +153,7 @@ impl TokenKind {
     }
 
     /// Whether a statement can begin with it.
-    pub(crate) fn begins_statement(self) -> bool {
+    pub fn begins_statement(self) -> bool {
         self.names_module()
             || matches!(
                 self,

@@ -69,9 +69,9 @@ fn parameter_named(
     if found.is_none() && !name.starts_with('$') && !IGNORED.contains(&name) {
         let message = format!("`{module}` has no parameter `{name}`; the argument is ignored");
         let warning = Diagnostic::warning(span, message);
-        let hint = suggest::hint(name, parameters()).or_else(|| foreign::parameter_hint(name, parameters()));
-        diagnostics.push(match hint {
-            Some(hint) => warning.with_hint(hint),
+        let meant = suggest::nearest(name, parameters()).or_else(|| foreign::parameter(name, parameters()));
+        diagnostics.push(match meant {
+            Some(meant) => suggest::meant(warning, span, &meant),
             None => warning,
         });
     }

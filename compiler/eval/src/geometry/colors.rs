@@ -19,6 +19,11 @@ pub(super) const MODULES: &[Module] = &[Module {
     build: color,
 }];
 
+/// The names of colours, in alphabetical order, each with its red, green and blue as one number.
+pub fn color_names() -> &'static [(&'static str, u32)] {
+    &names::NAMES
+}
+
 fn color(instance: &mut Instance) -> Built {
     let child = instance.union();
     let color = read_color(instance);
@@ -76,7 +81,9 @@ fn unknown(name: &str, span: Span, otherwise: &str) -> Diagnostic {
     let warning = Diagnostic::warning(span, format!("there is no colour \"{name}\", so that {otherwise}"));
     let near = suggest::nearest(&name.to_lowercase(), names::NAMES.iter().map(|(name, _)| *name));
     match near {
-        Some(near) => warning.with_hint(format!("did you mean \"{near}\"?")),
+        Some(near) => {
+            warning.with_hint(format!("did you mean \"{near}\"?")).with_suggestion(span, format!("\"{near}\""))
+        }
         None => warning.with_hint("a colour is a name, \"#rrggbb\", \"#rrggbbaa\" or a list of 3 or 4 numbers"),
     }
 }

@@ -182,11 +182,13 @@ fn shadows(instance: &mut Instance) -> Result<Option<Arc<str>>, Stop> {
         return Ok(Some(name));
     }
     let unknown = Diagnostic::error(span, format!("there is no shadow method \"{name}\""));
-    let hint = match suggest::nearest(&name, SHADOW_METHODS.iter().copied()) {
-        Some(near) => format!("did you mean \"{near}\"?"),
-        None => format!("there are {}", SHADOW_METHODS.join(", ")),
+    let unknown = match suggest::nearest(&name, SHADOW_METHODS.iter().copied()) {
+        Some(near) => {
+            unknown.with_hint(format!("did you mean \"{near}\"?")).with_suggestion(span, format!("\"{near}\""))
+        }
+        None => unknown.with_hint(format!("there are {}", SHADOW_METHODS.join(", "))),
     };
-    Err(Stop::Error(Box::new(unknown.with_hint(hint))))
+    Err(Stop::Error(Box::new(unknown)))
 }
 
 /// What a size has to be at the least. Where a live one may be 0, the light is dark or a point then.

@@ -48,6 +48,7 @@ use crate::value::Value;
 
 pub(crate) use aside::{Aside, PlacedCamera};
 pub(crate) use booleans::union_of;
+pub use colors::color_names;
 pub use facets::Facets;
 pub(crate) use hull::only_hull_counts;
 
@@ -129,6 +130,14 @@ pub(crate) fn build(call: Call, settings: &Settings, diagnostics: &mut Vec<Diagn
         return Some((module.build)(&mut instance));
     }
     natives::build(call, settings.facets, diagnostics)
+}
+
+/// The parameters of a built-in module that makes geometry: those that arguments without a name go to, in order, and those
+/// that have to be named.
+pub(crate) fn parameters(name: &str) -> Option<(Vec<&'static str>, Vec<&'static str>)> {
+    let module = TABLES.iter().copied().flatten().find(|module| module.name == name);
+    let own = module.map(|module| (module.positional.to_vec(), module.named.to_vec()));
+    own.or_else(|| Some((natives::parameters(name)?, Vec::new())))
 }
 
 /// The names of all built-in modules that make geometry.

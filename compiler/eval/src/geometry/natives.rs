@@ -20,10 +20,16 @@ pub(super) fn names() -> impl Iterator<Item = &'static str> {
     modules().map(|row| row.name)
 }
 
+/// The parameters of the module of that name.
+pub(super) fn parameters(name: &str) -> Option<Vec<&'static str>> {
+    let row = modules().find(|row| row.name == name)?;
+    Some(row.parameters.iter().map(|parameter| parameter.name).collect())
+}
+
 /// The shape of an instance; none, if no row has this name.
 pub(super) fn build(call: Call, facets: Facets, diagnostics: &mut Vec<Diagnostic>) -> Option<Built> {
     let row = modules().find(|row| row.name == call.name)?;
-    let parameters: Vec<&'static str> = row.parameters.iter().map(|parameter| parameter.name).collect();
+    let parameters = parameters(row.name)?;
     let mut instance = Instance::bind(call, &parameters, &[], facets, diagnostics);
     Some(instantiate(row, &mut instance))
 }

@@ -93,7 +93,8 @@ impl<'a> Parser<'a> {
                 TokenKind::UnclosedComment => {
                     let opener = Span::new(self.file, token.start as usize..token.start as usize + 2);
                     let error = Diagnostic::error(opener, "this comment is never closed");
-                    self.reports.push(error.with_hint("close it with `*/`"));
+                    let end = Span::new(self.file, token.range().end..token.range().end);
+                    self.reports.push(error.with_hint("close it with `*/`").with_suggestion(end, " */"));
                 }
                 TokenKind::Unknown => {
                     self.report_unknown(token);
@@ -101,7 +102,8 @@ impl<'a> Parser<'a> {
                 }
                 TokenKind::UnclosedString => {
                     let error = Diagnostic::error(self.span(token), "this string is never closed");
-                    self.reports.push(error.with_hint("close it with `\"`"));
+                    let end = Span::new(self.file, token.range().end..token.range().end);
+                    self.reports.push(error.with_hint("close it with `\"`").with_suggestion(end, "\""));
                     self.hides_braces |= self.text[token.range()].contains(['{', '}']);
                     return token;
                 }
@@ -135,9 +137,28 @@ impl<'a> Parser<'a> {
             Some(letter) if letter.is_alphabetic() => Some("names are made of the letters a to z, digits and `_`"),
             _ => None,
         };
-        self.reports.push(match hint {
+        let error = match hint {
             Some(hint) => error.with_hint(hint),
+            None => error,
+        };
+        self.reports.push(match plain_sign(word) {
+            Some(sign) => error.with_suggestion(self.span(token), sign),
             None => error,
         });
     }
+}
+
+/// The sign of the language that a sign from elsewhere stands for.
+fn plain_sign(word: &str) -> Option<String> {
+    let mut characters = word.chars();
+    let (first, None) = (characters.next()?, characters.next()) else { return None };
+    Some(match first {
+        '−' | '–' | '—' => "-".to_owned(),
+        '×' | '·' => "*".to_owned(),
+        '≤' => "<=".to_owned(),
+        '≥' => ">=".to_owned(),
+        '≠' => "!=".to_owned(),
+        '\u{ff01}'..='\u{ff5e}' => char::from_u32(first as u32 - 0xfee0)?.to_string(),
+        _ => return None,
+    })
 }

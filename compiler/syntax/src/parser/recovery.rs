@@ -44,6 +44,7 @@ impl Parser<'_> {
             return;
         }
         let error = Diagnostic::error(self.gap(), "missing `}` at the end of the file");
+        let error = error.with_suggestion(self.gap(), "\n}");
         // Every open block is worth a message.
         self.last_error = None;
         self.error(error.with_related(self.span(opener), "this `{` is never closed"));
@@ -135,16 +136,23 @@ impl Parser<'_> {
     /// Reports that something else than `expected`, or nothing, stands where the bracket `opener` should close.
     #[inline(never)]
     fn bracket_error(&mut self, opener: Token, expected: &str) {
-        let (sign, missing) = match opener.kind {
-            TokenKind::OpenParenthesis => ("`(`", "missing `)`"),
-            _ => ("`[`", "missing `]`"),
+        let (sign, missing, closer) = match opener.kind {
+            TokenKind::OpenParenthesis => ("`(`", "missing `)`", ")"),
+            _ => ("`[`", "missing `]`", "]"),
         };
-        let is_missing = self.ends_brackets();
-        let error = if is_missing { Diagnostic::error(self.gap(), missing) } else { self.unexpected(expected) };
+        let error = if self.ends_brackets() {
+            Diagnostic::error(self.gap(), missing).with_suggestion(self.gap(), closer)
+        } else {
+            self.unexpected(expected)
+        };
         let error = error.with_related(self.span(opener), format!("{sign} is opened here"));
         let error = match self.token.kind {
-            TokenKind::Assign => error.with_hint("`==` compares two values"),
-            kind if kind.begins_expression() && expected.contains(',') => error.with_hint("`,` separates values"),
+            TokenKind::Assign => {
+                error.with_hint("`==` compares two values").with_suggestion(self.span(self.token), "==")
+            }
+            kind if kind.begins_expression() && expected.contains(',') => {
+                error.with_hint("`,` separates values").with_suggestion(self.gap(), ",")
+            }
             _ => error,
         };
         self.error(error);
@@ -238,7 +246,7 @@ impl Parser<'_> {
                 && matches!(self.ahead.kind, TokenKind::OpenParenthesis | TokenKind::Assign);
         if is_forgotten {
             let error = Diagnostic::error(self.gap(), format!("missing `;` behind {what}"));
-            self.error(error);
+            self.error(error.with_suggestion(self.gap(), ";"));
         } else {
             let error = self.unexpected("`;`");
             self.error(self.with_statement_hint(error));

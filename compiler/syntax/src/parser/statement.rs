@@ -197,10 +197,9 @@ impl Parser<'_> {
             return Some(self.arguments());
         }
         if matches!(self.token.kind, TokenKind::OpenBrace | TokenKind::Semicolon) {
-            self.missing(
-                &format!("`()` behind `{}`", name.node),
-                "arguments stand in parentheses, even if there are none",
-            );
+            let error = Diagnostic::error(self.gap(), format!("missing `()` behind `{}`", name.node))
+                .with_hint("arguments stand in parentheses, even if there are none");
+            self.error(error.with_suggestion(self.gap(), "()"));
             return Some(Vec::new());
         }
         match self.instance_hint(&name.node) {
@@ -274,7 +273,9 @@ impl Parser<'_> {
         match self.token.kind {
             TokenKind::End | TokenKind::CloseBrace => {
                 let text = self.shown_head(head);
-                self.missing(&format!("`;` behind `{text}`"), "`;` ends a statement");
+                let message = format!("missing `;` behind `{text}`");
+                let error = Diagnostic::error(self.gap(), message).with_hint("`;` ends a statement");
+                self.error(error.with_suggestion(self.gap(), ";"));
             }
             _ if self.at_statement() => self.no_child("a definition is no child of this", head),
             _ => {
@@ -290,7 +291,7 @@ impl Parser<'_> {
     fn no_child(&mut self, message: &str, head: Span) {
         let error = if self.at_line_start() {
             let text = self.shown_head(head);
-            Diagnostic::error(self.gap(), format!("missing `;` behind `{text}`"))
+            Diagnostic::error(self.gap(), format!("missing `;` behind `{text}`")).with_suggestion(self.gap(), ";")
         } else {
             self.unexpected("`;`, `{` or a module").with_hint(message)
         };

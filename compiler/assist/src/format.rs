@@ -1,0 +1,6 @@
+//! Formatting.
+
+/// Well-formatted.
+pub fn format(text: &str) -> String {
+    text.to_owned()
+}
