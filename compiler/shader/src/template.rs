@@ -24,6 +24,19 @@ pub enum Template {
     Verified(Verified),
     /// Entry `shade`: adds a light to the picture. It asks no scene.
     Shade,
+    /// What views other than pictures are made of.
+    Inspect(Inspect),
+}
+
+/// The passes of inspections.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Inspect {
+    /// Entry `inspect`: answers where pixels see a surface, and at which cost.
+    Surface,
+    /// Entry `section`: answers the distance where pixels see a plane through the scene.
+    Section,
+    /// Entry `inspect_materials`: answers the material at each of a list of points.
+    Materials,
 }
 
 impl Template {
@@ -31,7 +44,8 @@ impl Template {
     pub fn all() -> impl Iterator<Item = Template> {
         let fixed = [Template::Library, Template::Distances, Template::Prepass, Template::Trace, Template::Shade];
         let verified = [Verified::Choose, Verified::Cells, Verified::Settle].map(Template::Verified);
-        fixed.into_iter().chain(Shadows::ALL.into_iter().map(Template::Shadows)).chain(verified)
+        let inspect = [Inspect::Surface, Inspect::Section, Inspect::Materials].map(Template::Inspect);
+        fixed.into_iter().chain(Shadows::ALL.into_iter().map(Template::Shadows)).chain(verified).chain(inspect)
     }
 
     /// Its own WGSL, which calls `scene_distance` and `scene_surface`.
@@ -47,12 +61,14 @@ impl Template {
                 vec![include_str!("../templates/trace_view.wgsl"), include_str!("../templates/prepass.wgsl")]
             }
             Template::Trace => {
-                let own = [include_str!("../templates/trace_lights.wgsl"), include_str!("../templates/trace.wgsl")];
+                let own =
+                    [MEET, include_str!("../templates/trace_lights.wgsl"), include_str!("../templates/trace.wgsl")];
                 [&PICTURE[..], &LIGHTS, &own].concat()
             }
             Template::Shadows(method) => [&PICTURE[..], &LIGHTS, method.files()].concat(),
             Template::Verified(pass) => [&PICTURE[..], &LIGHTS, pass.files()].concat(),
             Template::Shade => [&PICTURE[..], &LIGHTS, &[include_str!("../templates/shade.wgsl")]].concat(),
+            Template::Inspect(pass) => pass.files(),
         }
     }
 
@@ -63,6 +79,21 @@ impl Template {
         parsed.entry(self).or_insert_with(|| Box::leak(Box::new(Parsed::new(self))))
     }
 }
+
+impl Inspect {
+    fn files(self) -> Vec<&'static str> {
+        let view = include_str!("../templates/trace_view.wgsl");
+        let plane = include_str!("../templates/inspect_plane.wgsl");
+        match self {
+            Inspect::Surface => vec![view, MEET, plane, include_str!("../templates/inspect.wgsl")],
+            Inspect::Section => vec![view, plane, include_str!("../templates/inspect_section.wgsl")],
+            Inspect::Materials => vec![include_str!("../templates/inspect_materials.wgsl")],
+        }
+    }
+}
+
+/// How rays meet surfaces.
+const MEET: &str = include_str!("../templates/trace_meet.wgsl");
 
 /// What pictures are drawn with.
 const PICTURE: [&str; 5] = [
