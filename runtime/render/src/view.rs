@@ -103,6 +103,12 @@ impl View {
         [0, 1, 2].map(|axis| self.target[axis] - self.distance * axes.forward[axis])
     }
 
+    /// To the right and upwards in the picture, as directions of the world with a length of 1.
+    pub fn sideways(&self) -> ([f64; 3], [f64; 3]) {
+        let axes = self.axes();
+        (axes.right, axes.up)
+    }
+
     /// A box about what is looked at.
     pub(crate) fn subject(&self) -> Bounds {
         let reach = 0.6 * self.distance * self.half_height();
