@@ -34,6 +34,8 @@ mod numbers;
 mod parameters;
 #[cfg(test)]
 mod testing;
+#[cfg(test)]
+mod tests;
 mod words;
 
 pub use brackets::brackets;

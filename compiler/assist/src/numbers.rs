@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use chiaro_syntax::TokenKind;
+use chiaro_syntax::{Token, TokenKind};
 
 use crate::tokens;
-use crate::words::ends_operand;
+use crate::words::{ends_operand, is_word};
 
 mod scrub;
 
@@ -30,10 +30,12 @@ pub fn numbers(text: &str) -> Vec<NumberLiteral> {
         if token.kind != TokenKind::Number {
             continue;
         }
-        let sign = at.checked_sub(1).map(|before| tokens[before]).filter(|sign| {
-            let operand = at.checked_sub(2).is_some_and(|before| ends_operand(tokens[before].kind));
-            sign.kind == TokenKind::Minus && sign.end == token.start && !operand
-        });
+        let before = |count: usize| at.checked_sub(count).map(|before| tokens[before]);
+        let sign = before(1).filter(|sign| sign.kind == TokenKind::Minus && sign.end == token.start);
+        // Without the sign, the number would become part of a word that stands right in front of it.
+        let is_apart = |sign: Token| before(2).is_none_or(|word| !is_word(word.kind) || word.end < sign.start);
+        let has_operand = before(2).is_some_and(|operand| ends_operand(operand.kind));
+        let sign = sign.filter(|sign| !has_operand && is_apart(*sign));
         // `-2 ^ 2` is the negative of a power, whose sign is not the base's.
         let is_base = tokens.get(at + 1).is_some_and(|next| next.kind == TokenKind::Caret);
         let sign = sign.filter(|_| !is_base);
