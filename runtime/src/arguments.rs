@@ -46,6 +46,8 @@ pub(crate) enum Command {
     Render(Render),
     /// Compile a scene and report what is wrong with it.
     Check(Check),
+    /// Format scenes: their indentation and spaces, and nothing else.
+    Fmt(Fmt),
     /// Print what one stage of the compiler makes of a scene.
     Dump(Dump),
     /// Answer the signed distance at given points.
@@ -141,6 +143,18 @@ pub(crate) struct AdapterArguments {
 pub(crate) struct Check {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
+}
+
+/// Arguments of `fmt`.
+#[derive(Debug, Args)]
+pub(crate) struct Fmt {
+    /// The scenes, to be formatted in place; - reads standard input and writes standard output.
+    #[arg(required = true, value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+
+    /// Change nothing, but report what is not formatted, and fail if there is any.
+    #[arg(long)]
+    pub(crate) check: bool,
 }
 
 /// Arguments of `dump`.

@@ -23,6 +23,7 @@ fn main() -> ExitCode {
     let result = match &arguments.command {
         Command::Render(render) => commands::render::run(render, &arguments.global),
         Command::Check(check) => commands::check::run(check, &arguments.global),
+        Command::Fmt(fmt) => commands::fmt::run(fmt, &arguments.global),
         Command::Dump(dump) => commands::dump::run(dump, &arguments.global),
         Command::Distance(distance) => commands::distance::run(distance, &arguments.global),
         Command::Compare(compare) => commands::compare::run(compare, &arguments.global),

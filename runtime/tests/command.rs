@@ -287,3 +287,46 @@ fn compare_writes_a_report_and_nothing_over_other_things() {
     assert!(!refused.status.success() && stderr(&refused).contains("in use"), "{}", stderr(&refused));
     assert!(!folder.run(&["compare", "-o", "empty"]).status.success());
 }
+
+#[test]
+fn fmt_formats_in_place_and_keeps_comments() {
+    let folder = Folder::new().with("a.csg", "// A ball.\nsphere( 2 );//small\n").with("b.csg", "cube(1);\n");
+    let output = succeeded(folder.run(&["fmt", "a.csg", "b.csg"]));
+    assert_eq!(stderr(&output), "a.csg formatted\n");
+    let text = |name: &str| fs::read_to_string(folder.path(name)).expect("a scene");
+    assert_eq!((&*text("a.csg"), &*text("b.csg")), ("// A ball.\nsphere(2); //small\n", "cube(1);\n"));
+}
+
+#[test]
+fn fmt_checks_without_changing_anything() {
+    let folder = Folder::new().with("a.csg", "cube(1);\n\nsphere( 2 );\n").with("b.csg", "cube(1);\n");
+    let output = folder.run(&["fmt", "--check", "a.csg", "b.csg"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("a.csg:3:1") && !stderr(&output).contains("b.csg"), "{}", stderr(&output));
+    assert_eq!(fs::read_to_string(folder.path("a.csg")).expect("a scene"), "cube(1);\n\nsphere( 2 );\n");
+    succeeded(folder.run(&["fmt", "--check", "b.csg"]));
+}
+
+#[test]
+fn fmt_leaves_scenes_with_errors_alone() {
+    let folder = Folder::new().with("a.csg", "cube( 1\n").with("b.csg", "cube( 1 );\n");
+    let output = folder.run(&["fmt", "a.csg", "b.csg"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("missing `)`"), "{}", stderr(&output));
+    let text = |name: &str| fs::read_to_string(folder.path(name)).expect("a scene");
+    assert_eq!((&*text("a.csg"), &*text("b.csg")), ("cube( 1\n", "cube(1);\n"));
+}
+
+#[cfg(unix)]
+#[test]
+fn fmt_keeps_links_and_permissions() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = Folder::new().with("a.csg", "cube( 1 );\n");
+    fs::set_permissions(folder.path("a.csg"), fs::Permissions::from_mode(0o600)).expect("permissions");
+    std::os::unix::fs::symlink("a.csg", folder.path("link.csg")).expect("a link");
+    succeeded(folder.run(&["fmt", "link.csg"]));
+    assert_eq!(fs::read_to_string(folder.path("a.csg")).expect("a scene"), "cube(1);\n");
+    assert!(fs::symlink_metadata(folder.path("link.csg")).expect("a link").is_symlink());
+    let mode = fs::metadata(folder.path("a.csg")).expect("a scene").permissions().mode();
+    assert_eq!(mode & 0o777, 0o600);
+}

@@ -14,21 +14,22 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     let attempt = || -> std::io::Result<()> {
         let mut file = tempfile::NamedTempFile::new_in(folder)?;
         file.write_all(bytes)?;
-        make_readable(file.path())?;
+        make_readable(file.path(), path)?;
         file.persist(path).map_err(|error| error.error)?;
         Ok(())
     };
     attempt().with_context(|| format!("cannot write {}", path.display()))
 }
 
-/// Temporary files are private; what the user asked for is as readable as any new file.
+/// Temporary files are private; what takes the place of a file may be read by the same people, and what is new by all.
 #[cfg(unix)]
-fn make_readable(path: &Path) -> std::io::Result<()> {
+fn make_readable(temporary: &Path, path: &Path) -> std::io::Result<()> {
     use std::os::unix::fs::PermissionsExt;
-    std::fs::set_permissions(path, std::fs::Permissions::from_mode(0o644))
+    let before = std::fs::metadata(path).map(|metadata| metadata.permissions());
+    std::fs::set_permissions(temporary, before.unwrap_or_else(|_| std::fs::Permissions::from_mode(0o644)))
 }
 
 #[cfg(not(unix))]
-fn make_readable(_: &Path) -> std::io::Result<()> {
+fn make_readable(_: &Path, _: &Path) -> std::io::Result<()> {
     Ok(())
 }

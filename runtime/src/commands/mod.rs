@@ -5,4 +5,5 @@ pub(crate) mod check;
 pub(crate) mod compare;
 pub(crate) mod distance;
 pub(crate) mod dump;
+pub(crate) mod fmt;
 pub(crate) mod render;

@@ -26,7 +26,7 @@ pub(super) fn inside(text: &str, tokens: &[Token], token: Token, caret: usize) -
     let candidates = match parameter.name {
         "c" | "color" | "zenith" | "horizon" | "ground" => colors(),
         "joint" => values(&JOINTS),
-        "shadows" => values(&names::SHADOWS),
+        "shadows" => values(names::SHADOWS),
         _ => return nothing,
     };
     let Some(typed) = text.get(begin..caret) else { return nothing };
