@@ -241,9 +241,11 @@ fn shape(row: &Row) -> Entry {
 
 #[cfg(test)]
 mod tests {
-    use chiaro_eval::names;
+    use chiaro_eval::{Options, evaluate, names};
+    use chiaro_syntax::{Severity, SourceFile, Sources};
 
     use super::*;
+    use crate::testing::Files;
 
     #[test]
     fn every_name_of_the_language_has_an_entry() {
@@ -283,6 +285,27 @@ mod tests {
             };
             assert_eq!(sorted(are(false)), sorted(parameters.named), "{}", entry.name);
         }
+    }
+
+    #[test]
+    fn examples_are_scenes_without_errors() {
+        let is_scene = |entry: &&Entry| entry.is_supported && !entry.example.is_empty();
+        for entry in modules().chain(variables()).chain(keywords()).filter(is_scene) {
+            check(entry.name, entry.example);
+        }
+        for entry in functions().filter(is_scene) {
+            check(entry.name, &format!("x = 1; module m() echo({}); m();", entry.example));
+        }
+    }
+
+    #[track_caller]
+    fn check(name: &str, text: &str) {
+        let mut sources = Sources::default();
+        let file = sources.add(SourceFile::new("example.csg", text));
+        let files = Files::new(&[("parts.scad", ""), ("sizes.scad", "")]);
+        let diagnostics = evaluate(&files, &mut sources, file, &Options::default()).diagnostics;
+        let wrong = diagnostics.iter().find(|diagnostic| diagnostic.severity != Severity::Note);
+        assert!(wrong.is_none(), "the example of {name}: {wrong:?}");
     }
 
     #[test]

@@ -273,7 +273,7 @@ pub(super) const MODULES: &[Described] = &[
         "if",
         &[parameter("condition", "", "!", "what decides")],
         "Its children if a condition is true; those of `else`, if it is not.",
-        "if (width > 10) cube(width); else sphere(width);",
+        "width = 12; if (width > 10) cube(width); else sphere(width);",
     )
     .with_children(),
     described(
@@ -288,7 +288,7 @@ pub(super) const MODULES: &[Described] = &[
         "echo",
         &[parameter("value", "", "", "what to write; any number of values, also with names")],
         "Writes values into the messages.",
-        "echo(\"width\", width);",
+        "echo(\"a third is\", 1 / 3);",
     )
     .with_children(),
     described(
@@ -298,7 +298,7 @@ pub(super) const MODULES: &[Described] = &[
             parameter("message", "", "", "what to say if it is not"),
         ],
         "Stops with an error if a condition is not true.",
-        "assert(width > 0, \"the width has to be positive\");",
+        "width = 12; assert(width > 0, \"the width has to be positive\");",
     )
     .with_children(),
     described(

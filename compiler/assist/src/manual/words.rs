@@ -26,10 +26,15 @@ pub(super) const VARIABLES: &[Described] = &[
         "$children",
         &[],
         "Inside a module: how many children it was given.",
-        "for (i = [0 : $children - 1]) children(i);",
+        "module all() { for (i = [0 : $children - 1]) children(i); }",
     ),
     described("$parent_modules", &[], "How many modules are under way.", ""),
-    described("PI", &[], "The number π, 3.14159…; angles are in degrees, so it is rarely needed.", "2 * PI * r"),
+    described(
+        "PI",
+        &[],
+        "The number π, 3.14159…; angles are in degrees, so it is rarely needed.",
+        "r = 5; around = 2 * PI * r;",
+    ),
 ];
 
 pub(super) const KEYWORDS: &[Described] = &[
@@ -39,12 +44,22 @@ pub(super) const KEYWORDS: &[Described] = &[
         "if",
         &[],
         "Chooses what is there, or what is in a list.",
-        "if (width > 10) cube(width); else sphere(width);",
+        "width = 12; if (width > 10) cube(width); else sphere(width);",
     ),
-    described("else", &[], "What is there if the condition of `if` is not true.", "if (open) lid(); else cube(5);"),
+    described(
+        "else",
+        &[],
+        "What is there if the condition of `if` is not true.",
+        "open = true; if (open) sphere(5); else cube(5);",
+    ),
     described("let", &[], "Gives names to values, for what follows.", "x = let (a = 2) a * a;"),
-    described("assert", &[], "Stops with an error if a condition is not true.", "assert(width > 0, \"too thin\");"),
-    described("echo", &[], "Writes values into the messages.", "echo(\"width\", width);"),
+    described(
+        "assert",
+        &[],
+        "Stops with an error if a condition is not true.",
+        "width = 12; assert(width > 0, \"too thin\");",
+    ),
+    described("echo", &[], "Writes values into the messages.", "echo(\"a third is\", 1 / 3);"),
     described(
         "for",
         &[],
