@@ -67,13 +67,18 @@ pub(super) fn evaluations(size: [u32; 2], evaluations: &[u32]) -> Drawing {
 }
 
 pub(super) fn slopes(size: [u32; 2], positions: &[[f32; 4]], normals: &[[f32; 4]]) -> Drawing {
-    let color = |(p, n): (&[f32; 4], &[f32; 4])| (p[3] >= 0.0).then(|| along(&SLOPES, 0.5 * f64::from(n[3])));
+    let color = |(p, n): (&[f32; 4], &[f32; 4])| (p[3] >= 0.0).then(|| shaded(slope_color(n[3]), n));
     drawing(size, positions.iter().zip(normals).map(color), slope_legend())
 }
 
 pub(super) fn section_slopes(size: [u32; 2], sections: &[[f32; 4]]) -> Drawing {
-    let color = |section: &[f32; 4]| (section[2] >= 0.0).then(|| along(&SLOPES, 0.5 * f64::from(section[1])));
-    drawing(size, sections.iter().map(color), slope_legend())
+    let plane = Contours { sections, width: size[0] as usize, step: f64::INFINITY };
+    let color = |index: usize| Some(mixed(slope_color(sections[index][1]), INK, plane.contour(index)?.zero));
+    drawing(size, (0..sections.len()).map(color), slope_legend())
+}
+
+fn slope_color(slope: f32) -> [f64; 3] {
+    along(&SLOPES, 0.5 * f64::from(slope))
 }
 
 fn slope_legend() -> Legend {
@@ -141,6 +146,16 @@ fn contour_step(sections: &[[f32; 4]], pixel_angle: f64) -> f64 {
     nice(CONTOUR_SPACING * pixel_angle * middle)
 }
 
+/// What is at a pixel of a plane.
+struct Contour {
+    /// The distance.
+    value: f64,
+    /// How much of the pixel the contour at zero covers.
+    zero: f64,
+    /// How much of it any contour covers.
+    other: f64,
+}
+
 /// The contours of the distance on a plane.
 struct Contours<'a> {
     sections: &'a [[f32; 4]],
@@ -150,8 +165,18 @@ struct Contours<'a> {
 }
 
 impl Contours<'_> {
-    /// A pixel's colour, and whether it is within the scene; none where the plane is not seen.
+    /// A pixel's colour, and whether it is within the scene or on its border; none where the plane is not seen.
     fn color(&self, index: usize) -> Option<([f64; 3], bool)> {
+        let Contour { value, zero, other } = self.contour(index)?;
+        let is_inside = value < 0.0;
+        // Each band is a little darker than the one nearer to the surface.
+        let band = (value.abs() / self.step).floor().min(24.0) / 24.0;
+        let ground = mixed(if is_inside { INSIDE } else { OUTSIDE }, INK, 0.35 * band);
+        Some((mixed(ground, INK, zero.max(0.6 * other)), is_inside || zero > 0.0))
+    }
+
+    /// The distance at a pixel and the contours on it; none where the plane is not seen.
+    fn contour(&self, index: usize) -> Option<Contour> {
         let value = self.value(index)?;
         // How much the value changes from here to the next pixel.
         let change = |to: Option<usize>| Some((self.value(to?)? - value).abs());
@@ -159,19 +184,11 @@ impl Contours<'_> {
         let across = change(if is_last { index.checked_sub(1) } else { Some(index + 1) });
         let down = change(Some(index + self.width)).or_else(|| change(index.checked_sub(self.width)));
         let slope = across.unwrap_or(0.0).hypot(down.unwrap_or(0.0)).max(1e-30);
-
-        let nearest = (value / self.step).round() * self.step;
-        let off = (value - nearest).abs() / slope;
-        let is_zero = nearest.abs() < 0.5 * self.step;
-        let line = |width: f64| (0.5 + 0.5 * width - off).clamp(0.0, 1.0);
+        let line = |off: f64, width: f64| (0.5 + 0.5 * width - off.abs() / slope).clamp(0.0, 1.0);
         // Where contours would be closer than they are wide, there are none.
-        let crowded = (0.5 * self.step / slope - 1.0).clamp(0.0, 1.0);
-        let ink = if is_zero { line(ZERO) } else { 0.6 * line(CONTOUR) * crowded };
-        let is_inside = value < 0.0;
-        // Each band is a little darker than the one nearer to the surface.
-        let band = (value.abs() / self.step).floor().min(24.0) / 24.0;
-        let ground = mixed(if is_inside { INSIDE } else { OUTSIDE }, INK, 0.35 * band);
-        Some((mixed(ground, INK, ink), is_inside || (is_zero && ink > 0.0)))
+        let apart = (0.5 * self.step / slope - 1.0).clamp(0.0, 1.0);
+        let off = if self.step.is_finite() { value - (value / self.step).round() * self.step } else { value };
+        Some(Contour { value, zero: line(value, ZERO), other: line(off, CONTOUR) * apart })
     }
 
     fn value(&self, index: usize) -> Option<f64> {
