@@ -1,0 +1,338 @@
+//! What is open, what it compiled to, and what is being drawn: the editor without its window.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use chiaro_compiler::syntax::{Diagnostic, Severity, Sources};
+use chiaro_compiler::{LiveLiteral, Provenance, Scene};
+use chiaro_render::Preference;
+
+use crate::disk::Watch;
+use crate::document::{Document, DocumentId};
+use crate::live_edit::number_edit;
+use crate::studio::{Buffers, Event, Frame, LiveValue, Program, Studio, Wanted};
+
+/// So long after the last edit of a number, the text is compiled as it stands.
+const SETTLED: Duration = Duration::from_millis(900);
+
+/// The open texts and their scene.
+pub(crate) struct Session {
+    /// Never empty.
+    documents: Vec<Document>,
+    active: usize,
+    /// Which of them is drawn.
+    scene: DocumentId,
+    studio: Studio,
+    watch: Watch,
+    program: Option<Running>,
+    revision: u64,
+    /// Values of parameters that are not the text's, by name: expressions of the language.
+    pub(crate) definitions: BTreeMap<String, String>,
+    /// Values of live numbers that are not the text's.
+    pub(crate) values: Vec<LiveValue>,
+    /// What compiling came to last.
+    pub(crate) outcome: Option<Outcome>,
+    /// The last scene without errors, which is the one in the picture.
+    pub(crate) shown: Option<Shown>,
+    /// The newest picture, until somebody takes it.
+    pub(crate) frame: Option<Box<Frame>>,
+    /// What went wrong that is not the text's fault.
+    pub(crate) trouble: Option<String>,
+    /// What draws.
+    pub(crate) device: String,
+    wanted: Wanted,
+}
+
+/// What the compiler was asked for last.
+struct Running {
+    /// The scene's own text when it was asked.
+    text: String,
+    live: Option<LiveLiteral>,
+    /// The live number's value, if it moved since.
+    moved: Option<LiveValue>,
+    /// When a number was edited last, if the text has to be compiled as it stands.
+    settles_after: Option<Instant>,
+}
+
+/// What compiling a text came to.
+pub(crate) struct Outcome {
+    pub(crate) revision: u64,
+    pub(crate) sources: Arc<Sources>,
+    pub(crate) diagnostics: Vec<Diagnostic>,
+}
+
+/// A scene that compiled.
+pub(crate) struct Shown {
+    pub(crate) revision: u64,
+    pub(crate) sources: Arc<Sources>,
+    pub(crate) scene: Arc<Scene>,
+    /// What links it to its text, as soon as that is known.
+    pub(crate) provenance: Option<Arc<Provenance>>,
+}
+
+impl Session {
+    /// An empty text. `wake` is called when there is something to look at.
+    pub(crate) fn new(
+        preference: Preference,
+        wake: impl Fn() + Send + Sync + Clone + 'static,
+    ) -> std::io::Result<Self> {
+        let document = Document::new(None, String::new());
+        Ok(Self {
+            scene: document.id,
+            documents: vec![document],
+            active: 0,
+            studio: Studio::new(preference, wake.clone())?,
+            watch: Watch::new(wake),
+            program: None,
+            revision: 0,
+            definitions: BTreeMap::new(),
+            values: Vec::new(),
+            outcome: None,
+            shown: None,
+            frame: None,
+            trouble: None,
+            device: String::new(),
+            wanted: Wanted::default(),
+        })
+    }
+
+    /// Opens a file beside what is open, or shows it if it is open already. An error says why it can't be read.
+    pub(crate) fn open(&mut self, path: &Path) -> Result<(), String> {
+        let document = Document::open(path).map_err(|reason| format!("cannot read {}: {reason}", path.display()))?;
+        match self.documents.iter().position(|open| open.path == document.path) {
+            Some(index) => self.active = index,
+            None => self.add(document),
+        }
+        self.watch_files();
+        Ok(())
+    }
+
+    /// Opens a text that has no file yet.
+    pub(crate) fn open_text(&mut self, text: String) {
+        self.add(Document::new(None, text));
+    }
+
+    fn add(&mut self, document: Document) {
+        let only = &self.documents[0];
+        let replaces_empty = self.documents.len() == 1 && only.path.is_none() && only.text.is_empty();
+        if replaces_empty {
+            self.scene = document.id;
+            self.documents[0] = document;
+        } else {
+            self.documents.push(document);
+        }
+        self.active = self.documents.len() - 1;
+        if replaces_empty {
+            self.draw(self.documents[0].id);
+        }
+    }
+
+    /// Closes a text, saved or not.
+    pub(crate) fn close(&mut self, index: usize) {
+        let closed = self.documents.remove(index);
+        if self.documents.is_empty() {
+            self.documents.push(Document::new(None, String::new()));
+        }
+        self.active = self.active.min(self.documents.len() - 1);
+        if closed.id == self.scene {
+            self.draw(self.documents[self.active].id);
+        }
+        self.watch_files();
+    }
+
+    pub(crate) fn documents(&self) -> &[Document] {
+        &self.documents
+    }
+
+    pub(crate) fn documents_mut(&mut self) -> &mut [Document] {
+        &mut self.documents
+    }
+
+    pub(crate) fn active_index(&self) -> usize {
+        self.active
+    }
+
+    pub(crate) fn activate(&mut self, index: usize) {
+        self.active = index.min(self.documents.len() - 1);
+    }
+
+    /// The text that is being edited.
+    pub(crate) fn active(&self) -> &Document {
+        &self.documents[self.active]
+    }
+
+    pub(crate) fn active_mut(&mut self) -> &mut Document {
+        &mut self.documents[self.active]
+    }
+
+    /// The text that is drawn.
+    pub(crate) fn scene_document(&self) -> &Document {
+        self.documents.iter().find(|document| document.id == self.scene).unwrap_or(&self.documents[0])
+    }
+
+    /// Draws another of the open texts.
+    pub(crate) fn draw(&mut self, id: DocumentId) {
+        self.scene = id;
+        self.definitions.clear();
+        self.values.clear();
+        self.compile(None);
+    }
+
+    /// To be called when any text changed: draws what it says now.
+    pub(crate) fn text_changed(&mut self) {
+        let text = &self.scene_document().text;
+        let Some(running) = &self.program else { return self.compile(None) };
+        let Some(edit) = number_edit(&running.text, text) else {
+            // Another file may have changed; but what is the same everywhere is compiled already.
+            return self.compile(None);
+        };
+        let value = running.live.as_ref().and_then(|live| edit.value(live)).filter(|value| self.is_live(value));
+        match value {
+            Some(value) => {
+                if let Some(running) = &mut self.program {
+                    running.moved = Some(value);
+                    running.settles_after = Some(Instant::now());
+                }
+                self.show();
+            }
+            None => {
+                self.compile(Some(edit.literal()));
+                if let Some(running) = &mut self.program {
+                    running.settles_after = Some(Instant::now());
+                }
+            }
+        }
+    }
+
+    /// Whether the scene in the picture has that live number.
+    fn is_live(&self, value: &LiveValue) -> bool {
+        let shown = self.shown.as_ref().filter(|shown| shown.revision == self.revision);
+        shown.is_some_and(|shown| shown.scene.parameters.iter().any(|parameter| *parameter.name == value.name))
+    }
+
+    /// Compiles the texts as they are, with one number live.
+    pub(crate) fn compile(&mut self, live: Option<LiveLiteral>) {
+        self.revision += 1;
+        let scene = self.scene_document();
+        let (main, text) = (scene.name(), scene.text.clone());
+        let buffers: Buffers =
+            Arc::new(self.documents.iter().map(|open| (open.name(), open.text.as_str().into())).collect());
+        let definitions = self.definitions.iter().map(|(name, value)| (name.clone(), value.clone())).collect();
+        let options =
+            chiaro_compiler::Options { definitions, live_literals: live.into_iter().collect(), ..Default::default() };
+        self.program = Some(Running { text, live, moved: None, settles_after: None });
+        self.studio.compile(Program { revision: self.revision, main, buffers, options });
+    }
+
+    /// Changes what is wanted of the picture; its live values are the session's.
+    pub(crate) fn want(&mut self, wanted: Wanted) {
+        let values = self.wanted.values.clone();
+        if self.wanted != (Wanted { values: values.clone(), ..wanted.clone() }) {
+            self.wanted = Wanted { values, ..wanted };
+            self.studio.show(self.wanted.clone());
+        }
+    }
+
+    /// Shows the live numbers' values.
+    pub(crate) fn show(&mut self) {
+        let moved = self.program.as_ref().and_then(|running| running.moved.clone());
+        let values: Vec<LiveValue> = self.values.iter().cloned().chain(moved).collect();
+        if values != self.wanted.values {
+            self.wanted.values = values;
+            self.studio.show(self.wanted.clone());
+        }
+    }
+
+    pub(crate) fn wanted(&self) -> &Wanted {
+        &self.wanted
+    }
+
+    /// The parameters of the scene in the picture, in the order of their ids.
+    pub(crate) fn parameters(&self) -> Vec<f64> {
+        self.shown.as_ref().map_or(Vec::new(), |shown| self.wanted.parameters(&shown.scene))
+    }
+
+    /// Looks at what happened. Answers after which time to look again, if something is due by itself.
+    pub(crate) fn poll(&mut self) -> Option<Duration> {
+        for event in self.studio.events() {
+            self.take(event);
+        }
+        self.reload();
+        let since = self.program.as_ref()?.settles_after?.elapsed();
+        if since >= SETTLED {
+            self.compile(None);
+            return None;
+        }
+        Some(SETTLED - since)
+    }
+
+    fn take(&mut self, event: Event) {
+        match event {
+            Event::Compiled(compiled) if compiled.revision == self.revision => {
+                let (revision, sources) = (compiled.revision, compiled.sources);
+                self.trouble = None;
+                if let Some(scene) = compiled.scene {
+                    self.shown = Some(Shown { revision, sources: sources.clone(), scene, provenance: None });
+                    self.show();
+                }
+                self.outcome = Some(Outcome { revision, sources, diagnostics: compiled.diagnostics });
+                self.watch_files();
+            }
+            Event::Linked { revision, provenance } => {
+                if let Some(shown) = self.shown.as_mut().filter(|shown| shown.revision == revision) {
+                    shown.provenance = Some(provenance);
+                }
+            }
+            Event::Frame(frame) => self.frame = Some(frame),
+            Event::Trouble(message) => self.trouble = Some(message),
+            Event::Device(name) => self.device = name,
+            // An older text's.
+            Event::Compiled(_) => {}
+        }
+    }
+
+    /// Takes over what other programs wrote.
+    fn reload(&mut self) {
+        let changes = self.watch.changes();
+        if changes.is_empty() {
+            return;
+        }
+        let mut is_new = false;
+        for document in &mut self.documents {
+            if document.path.as_ref().is_some_and(|path| changes.contains(path)) {
+                is_new |= document.reload();
+            }
+        }
+        let is_open = |path: &PathBuf| self.documents.iter().any(|document| document.path.as_ref() == Some(path));
+        let files = self.files_read();
+        is_new |= changes.iter().any(|path| !is_open(path) && files.contains(path));
+        if is_new {
+            self.compile(None);
+        }
+    }
+
+    /// The files that the scene was compiled from.
+    fn files_read(&self) -> Vec<PathBuf> {
+        let sources = self.outcome.as_ref().map(|outcome| &outcome.sources);
+        sources.into_iter().flat_map(|sources| sources.iter()).map(|(_, file)| PathBuf::from(&file.name)).collect()
+    }
+
+    fn watch_files(&mut self) {
+        let read = self.files_read();
+        let open = self.documents.iter().filter_map(|document| document.path.as_deref());
+        self.watch.watch(open.chain(read.iter().map(PathBuf::as_path)));
+    }
+
+    /// Whether the text that is drawn has errors.
+    pub(crate) fn has_errors(&self) -> bool {
+        let is_error = |diagnostic: &Diagnostic| diagnostic.severity == Severity::Error;
+        self.outcome.as_ref().is_some_and(|outcome| outcome.diagnostics.iter().any(is_error))
+    }
+
+    /// Whether the picture is of an older text than the one that is open.
+    pub(crate) fn is_outdated(&self) -> bool {
+        self.shown.as_ref().is_none_or(|shown| shown.revision != self.revision)
+    }
+}

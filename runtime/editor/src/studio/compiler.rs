@@ -1,0 +1,74 @@
+//! The thread that compiles.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use chiaro_compiler::{Compilation, compile};
+use chiaro_render::{Error, Gpu, Model, Preference};
+
+use super::{BufferWorld, Compiled, Event, Program, Shared, Subject, Timings, guarded, lock};
+
+/// Compiles programs until the window is closed.
+pub(crate) fn work(shared: &Shared, preference: &Preference) {
+    let mut gpu = None;
+    while let Some(program) = shared.programs.take() {
+        if let Err(message) = guarded(|| compile_and_hand_over(shared, preference, &mut gpu, program)) {
+            shared.say(Event::Trouble(message));
+        }
+    }
+}
+
+/// Text to field graph, which the window hears of; then to pipelines, which the drawing thread gets.
+fn compile_and_hand_over(shared: &Shared, preference: &Preference, gpu: &mut Option<Gpu>, program: Program) {
+    let asked = Instant::now();
+    let cancelled = Arc::new(AtomicBool::new(false));
+    *lock(&shared.cancelled) = cancelled.clone();
+    let options = chiaro_compiler::Options { cancelled: Some(cancelled.clone()), ..program.options };
+    let world = BufferWorld::new(program.buffers);
+    let Compilation { sources, diagnostics, scene } = compile(&world, &program.main, &options);
+    if cancelled.load(Ordering::Relaxed) {
+        return;
+    }
+    let (revision, scene) = (program.revision, scene.map(Arc::new));
+    let mut timings = Timings { asked: Some(asked), compile: asked.elapsed(), ..Timings::default() };
+    let sources = Arc::new(sources);
+    let compiled = Compiled { revision, sources: sources.clone(), diagnostics, scene: scene.clone() };
+    shared.say(Event::Compiled(Box::new(compiled)));
+
+    let Some(scene) = scene else { return };
+    let begun = Instant::now();
+    let model = opened(shared, preference, gpu)
+        .and_then(|gpu| Ok((gpu.clone(), Model::new(gpu, &scene.picture(), &scene.defaults())?)));
+    match model {
+        Ok((gpu, model)) => {
+            timings.pipelines = begun.elapsed();
+            let subject = Subject { revision, scene: scene.clone(), gpu, model, timings };
+            shared.orders.update(|order| order.get_or_insert_default().subject = Some(subject));
+        }
+        Err(error) => {
+            if matches!(error, Error::Lost(_) | Error::Stuck(_)) {
+                *gpu = None;
+            }
+            return shared.say(Event::Trouble(error.to_string()));
+        }
+    }
+    // The picture doesn't wait for this.
+    match scene.provenance(&sources) {
+        Ok(provenance) => shared.say(Event::Linked { revision, provenance: Arc::new(provenance) }),
+        Err(error) => shared.say(Event::Trouble(error.to_string())),
+    }
+}
+
+/// The device, opened when first asked for and after it was lost.
+fn opened<'g>(shared: &Shared, preference: &Preference, gpu: &'g mut Option<Gpu>) -> chiaro_render::Result<&'g Gpu> {
+    if shared.device_lost.swap(false, Ordering::SeqCst) {
+        *gpu = None;
+    }
+    if gpu.is_none() {
+        let opened = Gpu::new(preference)?;
+        shared.say(Event::Device(opened.description().name.clone()));
+        *gpu = Some(opened);
+    }
+    gpu.as_ref().ok_or(Error::NoDriver)
+}

@@ -1,0 +1,212 @@
+//! What compiles and draws, off the window's thread.
+//!
+//! The window says what it wants, and reads [`Event`]s. A request that is not begun yet when a newer one comes is
+//! forgotten; a compilation under way is stopped.
+
+mod compiler;
+mod drawer;
+mod slot;
+mod timings;
+mod wanted;
+mod world;
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
+
+use chiaro_compiler::syntax::{Diagnostic, Sources};
+use chiaro_compiler::{Provenance, Scene};
+use chiaro_render::{Gpu, Model, Preference, View};
+
+use slot::Slot;
+pub(crate) use timings::Timings;
+pub(crate) use wanted::{LiveValue, Wanted};
+pub(crate) use world::{BufferWorld, Buffers};
+
+/// A program to compile.
+#[derive(Clone, Debug)]
+pub(crate) struct Program {
+    /// Which state of the texts this is; it only grows.
+    pub(crate) revision: u64,
+    /// The scene's file.
+    pub(crate) main: String,
+    /// The texts that are open, which count instead of the files of their names.
+    pub(crate) buffers: Buffers,
+    pub(crate) options: chiaro_compiler::Options,
+}
+
+/// What compiling came to.
+#[derive(Debug)]
+pub(crate) struct Compiled {
+    pub(crate) revision: u64,
+    pub(crate) sources: Arc<Sources>,
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    /// The scene, if there is no error.
+    pub(crate) scene: Option<Arc<Scene>>,
+}
+
+/// A scene that can be drawn.
+#[derive(Clone, Debug)]
+pub(crate) struct Subject {
+    pub(crate) revision: u64,
+    pub(crate) scene: Arc<Scene>,
+    pub(crate) gpu: Gpu,
+    pub(crate) model: Model,
+    pub(crate) timings: Timings,
+}
+
+/// What the drawing thread is asked for; what stays as it is, is left out.
+#[derive(Debug, Default)]
+pub(crate) struct Order {
+    pub(crate) subject: Option<Subject>,
+    pub(crate) wanted: Option<Wanted>,
+}
+
+/// A picture.
+#[derive(Debug)]
+pub(crate) struct Frame {
+    pub(crate) revision: u64,
+    /// Width and height in pixels: less than wanted while something moves.
+    pub(crate) size: [u32; 2],
+    /// Eight bits of sRGB and alpha each, rows from the top.
+    pub(crate) rgba: Vec<u8>,
+    /// The same with the other light algorithm, if two are compared.
+    pub(crate) other: Option<Vec<u8>>,
+    pub(crate) view: View,
+    pub(crate) samples: u32,
+    pub(crate) timings: Timings,
+}
+
+/// What the threads have to say.
+#[derive(Debug)]
+pub(crate) enum Event {
+    /// A program was compiled, with or without success.
+    Compiled(Box<Compiled>),
+    /// What links the scene of a revision to its text.
+    Linked {
+        /// The scene's.
+        revision: u64,
+        /// The link.
+        provenance: Arc<Provenance>,
+    },
+    /// A picture got newer or better.
+    Frame(Box<Frame>),
+    /// Something went wrong that is not the text's fault; the picture before stays.
+    Trouble(String),
+    /// What draws, once it is known, or was opened anew.
+    Device(String),
+}
+
+/// The two threads, and the way to them.
+pub(crate) struct Studio {
+    shared: Arc<Shared>,
+    events: Receiver<Event>,
+    threads: Vec<JoinHandle<()>>,
+}
+
+/// What the threads share with each other and with the window.
+pub(crate) struct Shared {
+    programs: Slot<Program>,
+    orders: Slot<Order>,
+    /// The program compiled last, to be compiled again after the device was lost.
+    last_program: Mutex<Option<Program>>,
+    /// Stops the compilation under way.
+    cancelled: Mutex<Arc<AtomicBool>>,
+    device_lost: AtomicBool,
+    sender: Sender<Event>,
+    /// Makes the window look at the events.
+    wake: Box<dyn Fn() + Send + Sync>,
+}
+
+impl Studio {
+    /// Starts the threads; `wake` is called after every event.
+    pub(crate) fn new(preference: Preference, wake: impl Fn() + Send + Sync + 'static) -> std::io::Result<Self> {
+        let (sender, events) = channel();
+        let shared = Arc::new(Shared {
+            programs: Slot::new(),
+            orders: Slot::new(),
+            last_program: Mutex::default(),
+            cancelled: Mutex::default(),
+            device_lost: AtomicBool::new(false),
+            sender,
+            wake: Box::new(wake),
+        });
+        let (compiling, drawing) = (shared.clone(), shared.clone());
+        let builder = |name: &str| std::thread::Builder::new().name(name.to_owned());
+        let threads = vec![
+            builder("compiling").spawn(move || compiler::work(&compiling, &preference))?,
+            builder("drawing").spawn(move || drawer::work(&drawing))?,
+        ];
+        Ok(Self { shared, events, threads })
+    }
+
+    /// Compiles a program, instead of any asked for before.
+    pub(crate) fn compile(&self, program: Program) {
+        self.shared.compile(program);
+    }
+
+    /// Draws this from now on.
+    pub(crate) fn show(&self, wanted: Wanted) {
+        self.shared.orders.update(|order| order.get_or_insert_default().wanted = Some(wanted));
+    }
+
+    /// What happened since the last call.
+    pub(crate) fn events(&self) -> Vec<Event> {
+        self.events.try_iter().collect()
+    }
+}
+
+impl Drop for Studio {
+    fn drop(&mut self) {
+        self.shared.stop_compiling();
+        self.shared.programs.close();
+        self.shared.orders.close();
+        for thread in self.threads.drain(..) {
+            // A thread that panicked has nothing more to say.
+            let _ = thread.join();
+        }
+    }
+}
+
+impl Shared {
+    fn compile(&self, program: Program) {
+        *lock(&self.last_program) = Some(program.clone());
+        self.stop_compiling();
+        self.programs.put(program);
+    }
+
+    fn stop_compiling(&self) {
+        lock(&self.cancelled).store(true, Ordering::Relaxed);
+    }
+
+    /// Opens the device anew, and everything on it.
+    fn reopen(&self) {
+        if self.device_lost.swap(true, Ordering::SeqCst) {
+            return;
+        }
+        let last = lock(&self.last_program).clone();
+        if let Some(program) = last {
+            self.compile(program);
+        }
+    }
+
+    fn say(&self, event: Event) {
+        // Nobody listens any more when the window is being closed.
+        let _ = self.sender.send(event);
+        (self.wake)();
+    }
+}
+
+/// Runs work of a thread that must go on whatever a scene does to it. A panic becomes its message.
+fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+    std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).map_err(|panic| {
+        let message = panic.downcast_ref::<String>().map(String::as_str);
+        let message = message.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("for an unknown reason");
+        format!("this is a mistake in Chiaro, not in your scene: {message}")
+    })
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
