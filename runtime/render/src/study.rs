@@ -64,8 +64,10 @@ pub struct Truth {
     pub irradiance: Vec<f32>,
     /// What half the 95 % confidence interval of V is at most, but for one in a hundred of the receivers in penumbrae.
     pub half_width: f64,
-    /// How many rays each receiver has drawn.
+    /// How many rays each receiver has drawn that is near a penumbra.
     pub samples: u32,
+    /// How many each pixel has drawn on average.
+    pub mean_samples: f64,
     /// How often the scene was evaluated for each pixel, on average.
     pub evaluations: f64,
 }
@@ -73,6 +75,8 @@ pub struct Truth {
 /// How many independent sequences the truth is drawn with, and Student's factor for their mean's 95 % interval.
 const SEQUENCES: u32 = 8;
 const STUDENT: f64 = 2.365;
+/// How far around a receiver, in pixels, rays have to agree with its own for it to have settled.
+const AGREEMENT_REACH: usize = 3;
 /// How many random rays a receiver draws in one dispatch.
 const RAYS_AT_ONCE: u32 = 8;
 
@@ -94,6 +98,61 @@ impl Outcome {
             self.evaluations[pixel] += row[2];
         }
     }
+}
+
+/// What random rays have told of a receiver.
+#[derive(Clone, Debug, Default)]
+struct Estimate {
+    /// For each sequence, the sum of the means of its batches, each of `RAYS_AT_ONCE` rays.
+    sums: [f64; SEQUENCES as usize],
+    /// How many batches there were, of all sequences together.
+    batches: u32,
+}
+
+impl Estimate {
+    fn add(&mut self, sequence: usize, mean_of_batch: f64) {
+        self.sums[sequence] += mean_of_batch;
+        self.batches += 1;
+    }
+
+    fn rays(&self) -> f64 {
+        f64::from(self.batches * RAYS_AT_ONCE)
+    }
+
+    fn mean(&self) -> f64 {
+        self.sums.iter().sum::<f64>() / f64::from(self.batches.max(1))
+    }
+
+    /// Half the 95 % confidence interval of the mean.
+    fn half_width(&self) -> f64 {
+        let of_each = f64::from(self.batches.max(1)) / f64::from(SEQUENCES);
+        let mean = self.mean();
+        let squares: f64 = self.sums.iter().map(|sum| (sum / of_each - mean).powi(2)).sum();
+        STUDENT * (squares / f64::from((SEQUENCES - 1) * SEQUENCES)).sqrt()
+    }
+
+    /// The half width that all but one in a hundred of the receivers in penumbrae keep to.
+    fn worst_half_width(estimates: &[Self]) -> f64 {
+        let in_penumbra = |estimate: &&Self| estimate.mean() > 0.0 && estimate.mean() < 1.0;
+        let mut half_widths: Vec<f64> = estimates.iter().filter(in_penumbra).map(Self::half_width).collect();
+        half_widths.sort_by(f64::total_cmp);
+        half_widths.get(half_widths.len() * 99 / 100).copied().unwrap_or(0.0)
+    }
+}
+
+/// Which receivers see part of a light only, or have a neighbour that does or that sees otherwise.
+fn unsettled([width, height]: [u32; 2], estimates: &[Estimate]) -> Vec<bool> {
+    let (width, height) = (width as usize, height as usize);
+    // Of each row, the least and the greatest mean around each pixel; then of each column.
+    let means: Vec<(f64, f64)> = estimates.iter().map(|estimate| (estimate.mean(), estimate.mean())).collect();
+    let spread = |of: &[(f64, f64)], at: &dyn Fn(usize) -> usize, count: usize, along: usize| {
+        let around = along.saturating_sub(AGREEMENT_REACH)..(along + AGREEMENT_REACH + 1).min(count);
+        around.map(|k| of[at(k)]).fold((f64::INFINITY, f64::NEG_INFINITY), |a, b| (a.0.min(b.0), a.1.max(b.1)))
+    };
+    let rows: Vec<(f64, f64)> =
+        (0..means.len()).map(|i| spread(&means, &|k| i / width * width + k, width, i % width)).collect();
+    let both = |i: usize| spread(&rows, &|k| k * width + i % width, height, i / width);
+    (0..means.len()).map(both).map(|range| range != (0.0, 0.0) && range != (1.0, 1.0)).collect()
 }
 
 impl Study {
@@ -155,48 +214,62 @@ impl Study {
     ///
     /// The interval is Student's over the means of eight independently scrambled sequences (Owen, "Monte Carlo Variance
     /// of Scrambled Net Quadrature", 1997): the scatter of samples within a sequence would overestimate its error.
+    ///
+    /// Receivers far from every penumbra draw no more than the first 64 rays: those whose rays, and whose neighbours'
+    /// rays within three pixels, all arrived or all did not. By the rule of three, the mean V of such a neighbourhood of
+    /// 49 is within 0.001 of theirs with 95 % confidence.
     pub fn truth(&mut self, light: &LightRow, half_width: f64, most_samples: u32) -> Result<Truth> {
+        let receivers = self.gpu.read(&self.receivers.receivers)?;
+        let truth = self.converged(light, half_width, most_samples, &receivers);
+        // Those that have settled are there again for others.
+        self.gpu.queue.write_buffer(&self.receivers.receivers, 0, &receivers);
+        truth
+    }
+
+    fn converged(&mut self, light: &LightRow, half_width: f64, most_samples: u32, receivers: &[u8]) -> Result<Truth> {
         let pixels = (self.size[0] * self.size[1]) as usize;
-        let mut means = vec![vec![0.0_f64; pixels]; SEQUENCES as usize];
-        let mut truth = Truth { visible: vec![0.0; pixels], ..Truth::default() };
+        let mut estimates = vec![Estimate::default(); pixels];
+        let mut active = vec![true; pixels];
+        let mut truth = Truth::default();
         let mut of_each = 0;
         loop {
             let batch = if of_each == 0 { RAYS_AT_ONCE } else { of_each };
-            for sequence in 0..SEQUENCES {
-                let mut drawn = 0;
-                while drawn < batch {
-                    let sample = sequence << 16 | (of_each + drawn);
-                    let task = Task::new(0, sample, RAYS_AT_ONCE, self.size);
-                    self.dispatch(Shadows::MonteCarlo, task, light)?;
-                    let rows = self.visibilities()?;
-                    for (mean, row) in means[sequence as usize].iter_mut().zip(&rows) {
-                        *mean += f64::from(row[0]) * f64::from(RAYS_AT_ONCE);
-                        truth.evaluations += f64::from(row[2]);
-                    }
-                    truth.irradiance = rows.iter().map(|row| row[3]).collect();
-                    drawn += RAYS_AT_ONCE;
+            for (sequence, first) in (0..SEQUENCES).flat_map(|s| (0..batch / RAYS_AT_ONCE).map(move |k| (s, k))) {
+                let sample = sequence << 16 | (of_each + first * RAYS_AT_ONCE);
+                self.dispatch(Shadows::MonteCarlo, Task::new(0, sample, RAYS_AT_ONCE, self.size), light)?;
+                let rows = self.visibilities()?;
+                for (pixel, row) in rows.iter().enumerate().filter(|(pixel, _)| active[*pixel]) {
+                    estimates[pixel].add(sequence as usize, f64::from(row[0]));
+                    truth.evaluations += f64::from(row[2]) / pixels as f64;
                 }
+                if truth.irradiance.is_empty() {
+                    truth.irradiance = rows.iter().map(|row| row[3]).collect();
+                }
+            }
+            if of_each == 0 {
+                active = unsettled(self.size, &estimates);
+                self.keep(&active, receivers);
             }
             of_each += batch;
-            let mut half_widths = Vec::new();
-            for pixel in 0..pixels {
-                let each = || means.iter().map(|sums| sums[pixel] / f64::from(of_each));
-                let mean = each().sum::<f64>() / f64::from(SEQUENCES);
-                let variance = each().map(|x| (x - mean).powi(2)).sum::<f64>() / f64::from(SEQUENCES - 1);
-                truth.visible[pixel] = mean as f32;
-                if mean > 0.0 && mean < 1.0 {
-                    half_widths.push(STUDENT * (variance / f64::from(SEQUENCES)).sqrt());
-                }
-            }
-            half_widths.sort_by(f64::total_cmp);
-            truth.half_width = half_widths.get(half_widths.len() * 99 / 100).copied().unwrap_or(0.0);
+            truth.half_width = Estimate::worst_half_width(&estimates);
             truth.samples = of_each * SEQUENCES;
             // A sequence has 65536 rays.
             if truth.half_width <= half_width || 2 * truth.samples > most_samples || of_each >= 1 << 15 {
-                truth.evaluations /= pixels as f64;
+                truth.visible = estimates.iter().map(|estimate| estimate.mean() as f32).collect();
+                truth.mean_samples = estimates.iter().map(Estimate::rays).sum::<f64>() / pixels as f64;
                 return Ok(truth);
             }
         }
+    }
+
+    /// Leaves only some of these receivers a surface, so that no others are lit.
+    fn keep(&self, active: &[bool], receivers: &[u8]) {
+        const OFFSET: std::ops::Range<usize> = 12..16;
+        let mut rows = receivers.to_vec();
+        for (row, _) in rows.chunks_exact_mut(RECEIVER_BYTES as usize).zip(active).filter(|(_, active)| !**active) {
+            row[OFFSET].copy_from_slice(&(-1.0_f32).to_ne_bytes());
+        }
+        self.gpu.queue.write_buffer(&self.receivers.receivers, 0, &rows);
     }
 
     fn dispatch(&mut self, method: Shadows, task: Task, light: &LightRow) -> Result<Duration> {
