@@ -121,11 +121,10 @@ pub(super) fn section(
     let plane = Contours { sections, width: size[0] as usize, step };
     let pixels = (0..sections.len()).flat_map(|index| {
         let behind = (positions[index][3] >= 0.0).then(|| shaded([196.0, 198.0, 204.0], &normals[index]));
-        let Some((color, is_inside)) = plane.color(index) else { return behind.map_or([0; 4], opaque) };
+        let Some((color, opacity)) = plane.color(index) else { return behind.map_or([0; 4], opaque) };
         match behind {
-            _ if is_inside => opaque(color),
-            Some(behind) => opaque(mixed(behind, color, VEIL)),
-            None => with_opacity(color, VEIL),
+            Some(behind) => opaque(mixed(behind, color, opacity)),
+            None => with_opacity(color, opacity),
         }
     });
     let inside = bytes(INSIDE);
@@ -165,14 +164,15 @@ struct Contours<'a> {
 }
 
 impl Contours<'_> {
-    /// A pixel's colour, and whether it is within the scene or on its border; none where the plane is not seen.
-    fn color(&self, index: usize) -> Option<([f64; 3], bool)> {
+    /// A pixel's colour, and how opaque it is; none where the plane is not seen.
+    fn color(&self, index: usize) -> Option<([f64; 3], f64)> {
         let Contour { value, zero, other } = self.contour(index)?;
         let is_inside = value < 0.0;
         // Each band is a little darker than the one nearer to the surface.
         let band = (value.abs() / self.step).floor().min(24.0) / 24.0;
         let ground = mixed(if is_inside { INSIDE } else { OUTSIDE }, INK, 0.35 * band);
-        Some((mixed(ground, INK, zero.max(0.6 * other)), is_inside || zero > 0.0))
+        let opacity = if is_inside { 1.0 } else { VEIL + (1.0 - VEIL) * zero };
+        Some((mixed(ground, INK, zero.max(0.6 * other)), opacity))
     }
 
     /// The distance at a pixel and the contours on it; none where the plane is not seen.
