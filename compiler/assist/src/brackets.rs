@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use chiaro_syntax::Token;
 
+use crate::nesting::Nesting;
 use crate::tokens;
 use crate::words::bracket;
 
@@ -22,19 +23,12 @@ pub fn brackets(text: &str, caret: usize) -> Option<[Range<usize>; 2]> {
 
 /// All pairs. What has no partner is left out, and hides no others.
 fn pairs(tokens: &[Token]) -> Vec<[Token; 2]> {
-    let mut open: Vec<(usize, Token)> = Vec::new();
+    let mut nesting = Nesting::default();
     let mut pairs = Vec::new();
     for token in tokens {
         match bracket(token.kind) {
-            Some((pair, true)) => open.push((pair, *token)),
-            Some((pair, false)) => {
-                // A brace is stronger than parentheses left open in it, but not the other way round.
-                let partner = open.iter().rposition(|(other, _)| *other == pair || *other == 2);
-                if let Some(partner) = partner.filter(|at| open[*at].0 == pair) {
-                    pairs.push([open[partner].1, *token]);
-                    open.truncate(partner);
-                }
-            }
+            Some((pair, true)) => nesting.open(pair, *token),
+            Some((pair, false)) => pairs.extend(nesting.close(pair).map(|opener| [opener, *token])),
             None => {}
         }
     }

@@ -4,6 +4,7 @@
 use chiaro_syntax::{Token, TokenKind};
 
 use crate::manual::{self, Entry, Parameter};
+use crate::nesting::{BRACES, Nesting};
 use crate::words::{Position, bracket, is_keyword};
 
 /// The innermost call around a place.
@@ -24,8 +25,8 @@ pub(crate) struct CallAt<'a> {
 }
 
 /// A bracket that is open at the place.
+#[derive(Default)]
 struct Open<'a> {
-    pair: usize,
     /// What stands in front of a parenthesis, and whether that is a module.
     callee: Option<(&'a str, bool)>,
     given: Vec<&'a str>,
@@ -37,14 +38,14 @@ struct Open<'a> {
 /// The innermost call around an offset, at which no token may begin that matters. `tokens` has no comments.
 pub(crate) fn call_at<'a>(text: &'a str, tokens: &[Token], offset: usize) -> Option<CallAt<'a>> {
     let before = tokens.partition_point(|token| (token.end as usize) <= offset);
-    let mut open = open_at(text, &tokens[..before]);
-    let level = open.iter().rposition(|open| open.pair == 0 && open.callee.is_some())?;
+    let mut open = open_at(text, &tokens[..before]).into_open();
+    let level = open.iter().rposition(|(_, open)| open.callee.is_some())?;
     // Braces end what is a call.
-    if open[level..].iter().any(|open| open.pair == 2) {
+    if open[level..].iter().any(|(pair, _)| *pair == BRACES) {
         return None;
     }
-    let begins_argument = level + 1 == open.len() && open[level].begins_argument;
-    let mut found = open.swap_remove(level);
+    let begins_argument = level + 1 == open.len() && open[level].1.begins_argument;
+    let (_, mut found) = open.swap_remove(level);
     found.given.extend(names_behind(text, &tokens[before..]));
     let (callee, is_module) = found.callee?;
     Some(CallAt {
@@ -58,9 +59,9 @@ pub(crate) fn call_at<'a>(text: &'a str, tokens: &[Token], offset: usize) -> Opt
 }
 
 /// The brackets that are open behind some tokens.
-fn open_at<'a>(text: &'a str, tokens: &[Token]) -> Vec<Open<'a>> {
+fn open_at<'a>(text: &'a str, tokens: &[Token]) -> Nesting<Open<'a>> {
     let mut position = Position::default();
-    let mut open: Vec<Open> = Vec::new();
+    let mut open: Nesting<Open> = Nesting::default();
     let mut callee = None;
     for (at, token) in tokens.iter().enumerate() {
         let word = &text[token.range()];
@@ -68,17 +69,13 @@ fn open_at<'a>(text: &'a str, tokens: &[Token]) -> Vec<Open<'a>> {
             Some((pair, true)) => {
                 begin_argument(&mut open);
                 let callee = callee.take().filter(|_| pair == 0);
-                let (given, begins_argument) = (Vec::new(), true);
-                open.push(Open { pair, callee, given, name: None, unnamed: 0, begins_argument });
+                open.open(pair, Open { callee, begins_argument: true, ..Open::default() });
             }
             Some((pair, false)) => {
-                let opener = open.iter().rposition(|open| open.pair == pair || open.pair == 2);
-                if let Some(opener) = opener.filter(|at| open[*at].pair == pair) {
-                    open.truncate(opener);
-                }
+                open.close(pair);
             }
             None if token.kind == TokenKind::Comma => {
-                if let Some(open) = open.last_mut() {
+                if let Some(open) = open.innermost_mut() {
                     open.unnamed += usize::from(!open.begins_argument && open.name.is_none());
                     open.name = None;
                     open.begins_argument = true;
@@ -86,7 +83,7 @@ fn open_at<'a>(text: &'a str, tokens: &[Token]) -> Vec<Open<'a>> {
             }
             None => {
                 let next = tokens.get(at + 1).map(|token| token.kind);
-                if let Some(open) = open.last_mut().filter(|open| open.begins_argument)
+                if let Some(open) = open.innermost_mut().filter(|open| open.begins_argument)
                     && token.kind == TokenKind::Name
                     && next == Some(TokenKind::Assign)
                 {
@@ -105,8 +102,8 @@ fn open_at<'a>(text: &'a str, tokens: &[Token]) -> Vec<Open<'a>> {
     open
 }
 
-fn begin_argument(open: &mut [Open]) {
-    if let Some(open) = open.last_mut() {
+fn begin_argument(open: &mut Nesting<Open>) {
+    if let Some(open) = open.innermost_mut() {
         open.begins_argument = false;
     }
 }
@@ -117,7 +114,7 @@ fn names_behind<'a>(text: &'a str, tokens: &[Token]) -> Vec<&'a str> {
     let mut depth = 0_usize;
     for pair in tokens.windows(2) {
         match bracket(pair[0].kind) {
-            Some((2, _)) => break,
+            Some((BRACES, _)) => break,
             Some((_, true)) => depth += 1,
             Some((_, false)) if depth == 0 => break,
             Some((_, false)) => depth -= 1,

@@ -30,6 +30,7 @@ mod hover;
 mod index;
 mod literals;
 mod navigate;
+mod nesting;
 mod numbers;
 mod parameters;
 #[cfg(test)]

@@ -81,6 +81,45 @@ fn scenes_that_break_off_anywhere_are_understood() {
     }
 }
 
+/// The parser bounds how deep a tree is; what is deeper must not overflow a stack, nor take long.
+#[test]
+fn what_is_deep_or_unbalanced_is_understood() {
+    let repeated = [
+        "(",
+        "[",
+        "{",
+        ")",
+        "]",
+        "}",
+        "-",
+        "f(",
+        "a[",
+        "[for (i = 1) ",
+        "let (a = 1) ",
+        "function (x) ",
+        "2^",
+        "a?",
+        "a?1:",
+        "translate([1, 0]) ",
+        "if (a) b(); else ",
+        "module m() ",
+        "m() {",
+        "([",
+        "{(]",
+        "cube(1);\n",
+        "\"",
+        "/*",
+        "// c\n",
+    ];
+    for word in repeated {
+        let text = word.repeat(20_000);
+        let middle = words::boundary(&text, text.len() / 2);
+        ask(&text, middle);
+        highlight(&text);
+        format(&text);
+    }
+}
+
 proptest! {
     #[test]
     fn any_text_is_understood(text in any::<String>(), offset in 0..200_usize) {

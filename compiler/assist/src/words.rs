@@ -2,6 +2,8 @@
 
 use chiaro_syntax::{Token, TokenKind};
 
+use crate::nesting::Nesting;
+
 /// The greatest character boundary of a text at or before an offset.
 pub(crate) fn boundary(text: &str, offset: usize) -> usize {
     let mut offset = offset.min(text.len());
@@ -116,8 +118,7 @@ pub(crate) fn bracket(kind: TokenKind) -> Option<(usize, bool)> {
 /// Follows whether the next token begins a statement, stands in a value, or inside of brackets.
 #[derive(Default)]
 pub(crate) struct Position {
-    /// The brackets that are open, as [`bracket`] numbers them.
-    open: Vec<usize>,
+    nesting: Nesting<()>,
     /// Whether an assignment's value has begun at the level of statements.
     in_value: bool,
     previous: Option<TokenKind>,
@@ -126,7 +127,7 @@ pub(crate) struct Position {
 impl Position {
     /// Whether a module instantiated, a definition or a modifier character can stand here.
     pub(crate) fn is_statement(&self) -> bool {
-        if self.in_value || self.open.last().is_some_and(|bracket| *bracket != 2) {
+        if self.in_value || !self.nesting.is_block() {
             return false;
         }
         match self.previous {
@@ -150,25 +151,20 @@ impl Position {
 
     /// The innermost open bracket, as [`bracket`] numbers it.
     pub(crate) fn innermost(&self) -> Option<usize> {
-        self.open.last().copied()
+        self.nesting.innermost().map(|(pair, _)| pair)
     }
 
     /// Takes note of a token. To be called for each that is no comment.
     pub(crate) fn see(&mut self, kind: TokenKind) {
         match bracket(kind) {
-            Some((pair, true)) => self.open.push(pair),
-            Some((2, false)) => {
-                // A brace closes whatever was left open inside of it.
-                let opener = self.open.iter().rposition(|open| *open == 2);
-                self.open.truncate(opener.unwrap_or(0));
+            Some((pair, true)) => self.nesting.open(pair, ()),
+            Some((pair, false)) => {
+                self.nesting.close(pair);
             }
-            Some((pair, false)) if self.open.last() == Some(&pair) => {
-                self.open.pop();
-            }
-            _ => {}
+            None => {}
         }
         match kind {
-            TokenKind::Assign if self.open.last().is_none_or(|open| *open == 2) => self.in_value = true,
+            TokenKind::Assign if self.nesting.is_block() => self.in_value = true,
             TokenKind::Semicolon | TokenKind::OpenBrace | TokenKind::CloseBrace => self.in_value = false,
             _ => {}
         }

@@ -2,6 +2,7 @@
 
 use chiaro_syntax::{Token, TokenKind};
 
+use crate::nesting::Nesting;
 use crate::words::{Position, bracket, ends_operand};
 
 /// What a token is there for, beyond what its kind says.
@@ -21,7 +22,6 @@ pub(super) enum Role {
 
 /// A bracket that is open.
 struct Open {
-    pair: usize,
     /// Whether a word such as `for` stands in front of it.
     is_head: bool,
     /// How many `?` wait for their `:`.
@@ -31,13 +31,13 @@ struct Open {
 /// The roles of tokens, none of which is a comment.
 pub(super) fn roles(text: &str, tokens: &[Token]) -> Vec<Role> {
     let mut position = Position::default();
-    let mut open: Vec<Open> = Vec::new();
+    let mut open: Nesting<Open> = Nesting::default();
     let mut outside_questions = 0;
     let mut roles: Vec<Role> = Vec::with_capacity(tokens.len());
     for (at, token) in tokens.iter().enumerate() {
         let previous = at.checked_sub(1).map(|before| (tokens[before], roles[before]));
         let has_operand = previous.is_some_and(|(token, role)| ends_operand(token.kind) && role != Role::ClosesHead);
-        let questions = open.last_mut().map_or(&mut outside_questions, |open| &mut open.questions);
+        let questions = open.innermost_mut().map_or(&mut outside_questions, |open| &mut open.questions);
         let role =
             match token.kind {
                 TokenKind::Star | TokenKind::Percent | TokenKind::Hash | TokenKind::Bang if position.is_statement() => {
@@ -63,20 +63,18 @@ pub(super) fn roles(text: &str, tokens: &[Token]) -> Vec<Role> {
                     *questions = 0;
                     Role::Plain
                 }
-                TokenKind::CloseParenthesis if open.last().is_some_and(|open| open.pair == 0 && open.is_head) => {
-                    Role::ClosesHead
-                }
+                TokenKind::CloseParenthesis if open.opener(0).is_some_and(|open| open.is_head) => Role::ClosesHead,
                 _ => Role::Plain,
             };
         match bracket(token.kind) {
             Some((pair, true)) => {
                 let is_head = pair == 0 && previous.is_some_and(|(token, _)| begins_body(text, tokens, at, token));
-                open.push(Open { pair, is_head, questions: 0 });
+                open.open(pair, Open { is_head, questions: 0 });
             }
-            Some((pair, false)) if open.last().is_some_and(|open| open.pair == pair) => {
-                open.pop();
+            Some((pair, false)) => {
+                open.close(pair);
             }
-            _ => {}
+            None => {}
         }
         position.see(token.kind);
         roles.push(role);

@@ -2,12 +2,13 @@
 
 use chiaro_syntax::TokenKind;
 
+use crate::nesting::{BRACES, Nesting};
 use crate::words::bracket;
 
 /// What is open at a place, and how deep.
 #[derive(Default)]
 pub(super) struct Indentation {
-    levels: Vec<Level>,
+    levels: Nesting<Level>,
     /// The statements outside of all brackets.
     outside: Statements,
     /// How deep the current line is indented.
@@ -19,7 +20,6 @@ pub(super) struct Indentation {
 
 /// An open bracket.
 struct Level {
-    pair: usize,
     /// How deep the line is indented that the bracket stands on: the closing one goes there too.
     opener: usize,
     statements: Statements,
@@ -54,16 +54,15 @@ impl Indentation {
 
     fn depth(&self, first: TokenKind, is_statement: bool) -> usize {
         if let Some((pair, false)) = bracket(first)
-            && let Some(level) = self.opener(pair)
+            && let Some(level) = self.levels.opener(pair)
         {
-            return self.levels[level].opener;
+            return level.opener;
         }
-        let inside = self.levels.last().map_or(0, |level| level.opener + 1);
-        let (pair, statements) = match self.levels.last() {
-            Some(level) => (level.pair, &level.statements),
-            None => (2, &self.outside),
+        let (inside, statements) = match self.levels.innermost() {
+            Some((_, level)) => (level.opener + 1, &level.statements),
+            None => (0, &self.outside),
         };
-        if pair != 2 {
+        if !self.levels.is_block() {
             let begins_item = matches!(
                 self.previous,
                 Some(TokenKind::OpenParenthesis | TokenKind::OpenBracket | TokenKind::Comma | TokenKind::Semicolon)
@@ -84,33 +83,25 @@ impl Indentation {
         }
     }
 
-    /// The innermost open bracket of that pair, but none outside of braces.
-    fn opener(&self, pair: usize) -> Option<usize> {
-        let found = self.levels.iter().rposition(|level| level.pair == pair || level.pair == 2)?;
-        (self.levels[found].pair == pair).then_some(found)
-    }
-
     /// Takes note of a token that is no comment. `is_statement` says whether a statement, or a child, can begin there.
     pub(super) fn see(&mut self, kind: TokenKind, is_statement: bool) {
         self.previous = Some(kind);
         let (depth, column) = (self.line, self.column);
         match bracket(kind) {
             Some((pair, true)) => {
-                self.levels.push(Level { pair, opener: depth, statements: Statements::default() });
+                self.levels.open(pair, Level { opener: depth, statements: Statements::default() });
                 return;
             }
             Some((pair, false)) => {
-                if let Some(level) = self.opener(pair) {
-                    self.levels.truncate(level);
-                }
-                if pair == 2 {
+                self.levels.close(pair);
+                if pair == BRACES {
                     self.statements().has_ended = true;
                 }
                 return;
             }
             None => {}
         }
-        if self.levels.last().is_some_and(|level| level.pair != 2) {
+        if !self.levels.is_block() {
             return;
         }
         let statements = self.statements();
@@ -133,6 +124,6 @@ impl Indentation {
     }
 
     fn statements(&mut self) -> &mut Statements {
-        self.levels.last_mut().map_or(&mut self.outside, |level| &mut level.statements)
+        self.levels.innermost_mut().map_or(&mut self.outside, |level| &mut level.statements)
     }
 }
