@@ -61,6 +61,7 @@ mod tests {
         check("spere(2);", "Replace `spere` by `sphere`", "sphere(2);");
         check("width = 2; cube(widht);", "Replace `widht` by `width`", "width = 2; cube(width);");
         check("x = sqr(4); cube(x);", "Replace `sqr` by `sqrt`", "x = sqrt(4); cube(x);");
+        check("move([1, 0, 0]) cube(1);", "Replace `move` by `translate`", "translate([1, 0, 0]) cube(1);");
         check("sphere(radius = 2);", "Replace `radius` by `r`", "sphere(r = 2);");
         check("color(\"tomatto\") cube(1);", "Replace `\"tomatto\"` by `\"tomato\"`", "color(\"tomato\") cube(1);");
     }

@@ -83,6 +83,8 @@ struct Scope {
 #[derive(Clone, Debug)]
 pub(crate) struct Link {
     pub(crate) path: Name,
+    /// The whole statement.
+    pub(crate) range: Range<usize>,
     /// Whether variables come along, as they do by `include` only.
     pub(crate) is_include: bool,
 }

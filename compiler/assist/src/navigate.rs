@@ -27,9 +27,12 @@ pub fn definition(text: &str, offset: usize) -> Option<Range<usize>> {
 }
 
 /// Where the name at an offset is defined: in this text, which is that of the file `name`, or in a file that it uses or
-/// includes.
+/// includes. The path of a `use` or `include` leads to the beginning of that file.
 pub fn definition_in(world: &dyn World, name: &str, text: &str, offset: usize) -> Option<Place> {
     let index = Index::of(text);
+    if let Some(link) = index.links.iter().find(|link| link.range.contains(&offset)) {
+        return world.find(name, &link.path).map(|file| Place { file, range: 0..0 });
+    }
     let occurrence = index.at(offset)?;
     if let Some(definition) = occurrence.definition {
         let range = index.definitions[definition].name_range.clone();
@@ -188,5 +191,7 @@ mod tests {
         assert_eq!(found("use <parts.scad>\nx = n|;"), None);
         assert_eq!(found("include <parts.scad>\nx = n|;"), place("parts.scad", 50));
         assert_eq!(found("x = 1; y = x|;"), place("main.scad", 0));
+        assert_eq!(found("use <par|ts.scad>"), place("parts.scad", 0));
+        assert_eq!(found("use <no|ne.scad>"), None);
     }
 }

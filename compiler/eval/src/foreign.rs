@@ -1,7 +1,7 @@
 //! What other languages and libraries call what there is here: hints for names that are unknown, but no mistypings.
 
 /// Their modules, in small letters without `_`, and what to write instead.
-const MODULES: [(&[&str], &str); 17] = [
+const MODULES: [(&[&str], &str); 12] = [
     (
         &["smoothunion", "roundunion", "softunion", "unionround", "blend", "smin", "fillet", "filletunion"],
         "`union(r = …)` joins its children by a fillet of that radius",
@@ -22,21 +22,22 @@ const MODULES: [(&[&str], &str); 17] = [
     (&["roundedcylinder", "roundcylinder", "cyl"], "`cylinder(…, edge = …)` has edges rounded by that radius"),
     (&["roundedsquare", "roundedrectangle", "roundedrect"], "`square(…, r = …)` has corners rounded by that radius"),
     (&["box", "block", "cubic"], "a box is written `cube([…])`"),
-    (&["move", "shift"], "it is called `translate` here"),
-    (&["subtract", "subtraction", "cut", "minus"], "it is called `difference` here"),
-    (&["intersect", "and"], "it is called `intersection` here"),
     (
         &["light", "lamp", "pointlight", "point", "omnilight", "bulb", "spherelight", "spherical"],
         "lights are written `sphere_light(r = …)`, `disk_light`, `rect_light`, `tube_light`, `polygon_light`, `sun`",
     ),
     (&["spotlight", "spot", "disclight"], "a round flat light is written `disk_light(r = …)`; it shines towards +z"),
     (&["arealight", "panel", "softbox", "quadlight"], "a rectangular light is written `rect_light([…])`"),
-    (&["directionallight", "dirlight", "distantlight", "sunlight"], "it is called `sun` here"),
-    (
-        &["sky", "skylight", "skydome", "ambientlight", "ambient", "background", "hdri"],
-        "it is called `environment` here",
-    ),
     (&["lookat", "eye", "viewpoint"], "it is written `camera(eye, target)` here"),
+];
+
+/// Their modules that only have another name here, in small letters without `_`.
+const RENAMED: [(&[&str], &str); 5] = [
+    (&["move", "shift"], "translate"),
+    (&["subtract", "subtraction", "cut", "minus"], "difference"),
+    (&["intersect", "and"], "intersection"),
+    (&["directionallight", "dirlight", "distantlight", "sunlight"], "sun"),
+    (&["sky", "skylight", "skydome", "ambientlight", "ambient", "background", "hdri"], "environment"),
 ];
 
 /// Their parameters, and what these may be called here, the likeliest first.
@@ -60,6 +61,13 @@ const PARAMETERS: [(&[&str], &[&str]); 15] = [
     (&["position", "pos", "from", "p"], &["eye"]),
     (&["angle", "field_of_view", "vpf"], &["fov"]),
 ];
+
+/// What a module of another language is called here, if that is all the difference.
+pub(crate) fn module(name: &str) -> Option<&'static str> {
+    let name = name.replace('_', "").to_ascii_lowercase();
+    let (_, ours) = RENAMED.iter().find(|(names, _)| names.contains(&&*name))?;
+    Some(ours)
+}
 
 /// How to write what a module of another language is for.
 pub(crate) fn module_hint(name: &str) -> Option<String> {

@@ -390,9 +390,10 @@ impl<'t> Evaluator<'t> {
             }
         }
         let error = Diagnostic::error(span, format!("there is no module `{name}`"));
-        let error = match foreign::module_hint(name) {
-            Some(hint) => error.with_hint(hint),
-            None => suggest::with_nearest(error, span, name, known.iter().map(|name| &**name)),
+        let error = match (foreign::module(name), foreign::module_hint(name)) {
+            (Some(ours), _) => error.with_hint(format!("it is called `{ours}` here")).with_suggestion(span, ours),
+            (None, Some(hint)) => error.with_hint(hint),
+            (None, None) => suggest::with_nearest(error, span, name, known.iter().map(|name| &**name)),
         };
         self.error(error)
     }

@@ -144,7 +144,7 @@ fn built_in(place: &Place, candidates: &mut Vec<Candidate>) {
             let detail = if is_called { entry.signature() } else { entry.name.to_owned() };
             let mut candidate = candidate(entry.name, kind, order, &detail, documentation(entry));
             if is_called {
-                call(&mut candidate.completion, place, !entry.parameters.is_empty());
+                call(&mut candidate.completion, place, entry.parameters.iter().any(|parameter| parameter.positional));
             }
             candidates.push(candidate);
         }
@@ -165,7 +165,8 @@ fn built_in(place: &Place, candidates: &mut Vec<Candidate>) {
     }
 }
 
-/// Makes a completion write the parentheses too, unless they stand there already.
+/// Makes a completion write the parentheses too, unless they stand there already. The caret goes between them where
+/// arguments are usual.
 fn call(completion: &mut Completion, place: &Place, takes_arguments: bool) {
     if place.next == Some(TokenKind::OpenParenthesis) {
         return;

@@ -62,6 +62,7 @@ fn names_in_scope_are_offered() {
 fn calls_get_their_parentheses() {
     let item = |text: &str| at(text).items.into_iter().next().expect("an item");
     assert_eq!((&*item("cub|").insert, item("cub|").caret), ("cube()", 5));
+    assert_eq!((&*item("unio|").insert, item("unio|").caret), ("union()", 7));
     assert_eq!((&*item("cub|(1);").insert, item("cub|(1);").caret), ("cube", 4));
     assert_eq!(at("cub|x").replaces, 0..4);
 }

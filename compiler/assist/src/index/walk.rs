@@ -108,7 +108,7 @@ impl Walk<'_> {
                 Statement::Block(block) => self.declare(block, scope, inner),
                 Statement::Use(path) | Statement::Include(path) => {
                     let is_include = matches!(statement, Statement::Include(_));
-                    self.index.links.push(Link { path: path.node.clone(), is_include });
+                    self.index.links.push(Link { path: path.node.clone(), range: path.span.range(), is_include });
                 }
                 Statement::Instance(_) => {}
             }
