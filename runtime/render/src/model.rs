@@ -80,7 +80,8 @@ impl Model {
         if self.has_lower_end { measure::lowest(gpu, self).map(Some) } else { Ok(None) }
     }
 
-    pub(crate) fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
+    /// Moves the live numbers to these values, in the order of their ids. Pictures of the model have to be told themselves.
+    pub fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
         self.prepass.set_parameters(gpu, parameters)?;
         self.trace.set_parameters(gpu, parameters)?;
         *self.parameters.lock().unwrap_or_else(PoisonError::into_inner) = parameters.to_vec();
