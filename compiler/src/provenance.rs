@@ -115,12 +115,13 @@ impl Provenance {
     }
 
     /// The solids that the innermost expression about this place of a file made: all of them, if it is in a loop or a
-    /// module. If it made none, those of the expression around it.
+    /// module. If it made none, those of the expression around it; in a module's definition, all that the module made.
     pub fn nodes_at(&self, file: FileId, offset: u32) -> Vec<SolidId> {
-        self.sites.at(file, offset).to_vec()
+        self.sites.at(file, offset)
     }
 
-    /// The head of the innermost expression about this place of a file that made solids.
+    /// The head of the innermost expression about this place of a file that made solids; of a module's definition, the
+    /// name.
     pub fn expression_at(&self, file: FileId, offset: u32) -> Option<Span> {
         self.sites.expression(file, offset)
     }
@@ -128,7 +129,13 @@ impl Provenance {
     /// The field of a solid by itself, with what moves, bends and thickens it, and without what it is joined with or cut
     /// by. An error if the system has no room for another thread.
     pub fn part(&self, solid: SolidId) -> io::Result<Graph> {
-        let alone = self.alone(solid);
+        self.parts(&[solid])
+    }
+
+    /// The field of several solids together, as of [`part`](Self::part): of all that an expression made, to be looked for
+    /// at once.
+    pub fn parts(&self, solids: &[SolidId]) -> io::Result<Graph> {
+        let alone = self.alone(solids);
         with_deep_stack(|| chiaro_field::lower(&alone).0)
     }
 
@@ -237,8 +244,7 @@ impl Moment {
                 return Some(point);
             }
             t += (distance / lipschitz).max(near);
-            // (NaN has to end this too.)
-            if !(t <= leave) {
+            if t.is_nan() || t > leave {
                 return None;
             }
         }

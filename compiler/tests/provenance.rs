@@ -140,7 +140,11 @@ difference() { cube(30); cylinder(r = 1, h = 50); }";
     assert_eq!(scene.parts("for", &points), [[-1.0, -1.0]], "the loop as one");
     assert_eq!(scene.parts(" cylinder", &points).len(), 1, "between the operands, all of the difference");
     assert_eq!(scene.parts("cylinder", &[[0.0, 3.0, 9.0]]), [[2.0]], "what is taken away, by itself");
-    assert!(scene.parts("module", &points).is_empty());
+    assert_eq!(scene.parts("module", &points), balls, "all that the module made");
+    let solids = scene.provenance.nodes_at(FileId(0), scene.offset("sphere(r)"));
+    let together = Evaluator::new(&scene.provenance.parts(&solids).unwrap(), &[]);
+    assert_eq!(points.map(|point| together.distance(point)), [-1.0, -1.0]);
+    assert!(compiled("x = 3; cube(x);").parts("3;", &points).is_empty());
 }
 
 #[test]

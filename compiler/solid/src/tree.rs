@@ -136,13 +136,11 @@ impl Solid {
     }
 
     /// The same, as what the instance with this head came to.
-    pub fn seen_from(self: Arc<Self>, head: Span) -> Arc<Self> {
-        if self.span == head || self.via.last() == Some(&head) {
-            return self;
+    pub fn seen_from(mut self: Arc<Self>, head: Span) -> Arc<Self> {
+        if self.span != head && self.via.last() != Some(&head) {
+            Arc::make_mut(&mut self).via.push(head);
         }
-        let mut solid = Arc::unwrap_or_clone(self);
-        solid.via.push(head);
-        Arc::new(solid)
+        self
     }
 
     /// Whether it is a plane shape or a solid; an empty one is neither.

@@ -1,9 +1,10 @@
 //! Which solids each expression of the text made.
 
+use std::collections::HashMap;
+
 use chiaro_field::Lineage;
 use chiaro_syntax::tree::{Instance, Statement};
 use chiaro_syntax::{Dialect, FileId, Sources, Span, parse};
-use std::collections::HashMap;
 
 use super::SolidId;
 
@@ -13,8 +14,19 @@ pub(super) struct Sites {
     sources: Sources,
     /// By the instance's head.
     solids: HashMap<Span, Vec<SolidId>>,
-    /// For each file, every instance's own extent and its head: what is inside stands behind what is around it.
-    instances: Vec<Vec<(Span, Span)>>,
+    /// For each file, its instances and modules: what is inside stands behind what is around it.
+    files: Vec<Vec<Site>>,
+}
+
+/// An instance or the definition of a module.
+#[derive(Debug)]
+struct Site {
+    /// The whole of it.
+    extent: Span,
+    /// The instance's head or the module's name.
+    name: Span,
+    /// The heads of the instances whose solids it made.
+    heads: Vec<Span>,
 }
 
 impl Sites {
@@ -29,53 +41,68 @@ impl Sites {
                 solids.entry(span).or_default().push(SolidId(index as u32));
             }
         }
-        let instances = sources.iter().map(|(id, file)| {
+        let files = sources.iter().map(|(id, file)| {
             let (tree, _) = parse(id, &file.text, Dialect::of_file(&file.name));
-            let mut instances = Vec::new();
-            collect(&tree.statements, &mut instances);
-            instances
+            sites(&tree.statements)
         });
-        Self { solids, instances: instances.collect(), sources: sources.clone() }
+        Self { solids, files: files.collect(), sources: sources.clone() }
     }
 
     /// The name in an instance's head.
     pub(super) fn name(&self, head: Span) -> String {
-        if head.file.0 as usize >= self.instances.len() {
+        if head.file.0 as usize >= self.files.len() {
             return String::new();
         }
         let text = self.sources.text(head);
         text.chars().take_while(|c| c.is_alphanumeric() || matches!(c, '_' | '$')).collect()
     }
 
-    /// The solids of the innermost instance about a place that made any.
-    pub(super) fn at(&self, file: FileId, offset: u32) -> &[SolidId] {
-        let head = self.expression(file, offset);
-        head.and_then(|head| self.solids.get(&head)).map_or(&[], Vec::as_slice)
+    /// The solids of the innermost site about a place that made any.
+    pub(super) fn at(&self, file: FileId, offset: u32) -> Vec<SolidId> {
+        let heads = self.site(file, offset).map_or(&[][..], |site| &site.heads);
+        let mut solids: Vec<SolidId> =
+            heads.iter().filter_map(|head| self.solids.get(head)).flatten().copied().collect();
+        solids.sort_unstable();
+        solids.dedup();
+        solids
     }
 
-    /// The head of the innermost instance about a place that made solids.
+    /// What the innermost site about a place that made solids is called by.
     pub(super) fn expression(&self, file: FileId, offset: u32) -> Option<Span> {
-        let instances = self.instances.get(file.0 as usize)?;
+        self.site(file, offset).map(|site| site.name)
+    }
+
+    fn site(&self, file: FileId, offset: u32) -> Option<&Site> {
         let holds = |span: &Span| span.start <= offset && offset <= span.end;
-        let around = instances.iter().rev().filter(|(extent, _)| holds(extent));
-        // Between two instances that touch, the one that begins there counts, which stands behind.
-        around.map(|(_, head)| *head).find(|head| self.solids.contains_key(head))
+        // Between two that touch, the one that begins there counts, which stands behind.
+        let mut around = self.files.get(file.0 as usize)?.iter().rev().filter(|site| holds(&site.extent));
+        around.find(|site| site.heads.iter().any(|head| self.solids.contains_key(head)))
     }
 }
 
-/// The instances in some statements, those in modules included, each before what is in it.
-fn collect(statements: &[Statement], into: &mut Vec<(Span, Span)>) {
+/// The sites in some statements, each before what is in it.
+fn sites(statements: &[Statement]) -> Vec<Site> {
+    let mut sites = Vec::new();
     let mut open: Vec<&Statement> = statements.iter().rev().collect();
     while let Some(statement) = open.pop() {
         match statement {
             Statement::Instance(Instance { children, otherwise, span, head, .. }) => {
-                into.push((*span, *head));
+                sites.push(Site { extent: *span, name: *head, heads: vec![*head] });
                 open.extend(otherwise.iter().rev());
                 open.extend(children.iter().rev());
             }
-            Statement::Module(definition) => open.extend(definition.body.iter().rev()),
+            Statement::Module(definition) => {
+                let head = |statement: &Statement| match statement {
+                    Statement::Instance(instance) => Some(instance.head),
+                    _ => None,
+                };
+                let heads = definition.body.iter().filter_map(head).collect();
+                sites.push(Site { extent: definition.span, name: definition.name.span, heads });
+                open.extend(definition.body.iter().rev());
+            }
             Statement::Block(statements) => open.extend(statements.iter().rev()),
             Statement::Use(_) | Statement::Include(_) | Statement::Assignment(_) | Statement::Function(_) => {}
         }
     }
+    sites
 }
