@@ -217,8 +217,12 @@ fn live_numbers_and_sizes_change_what_is_seen() {
     let view = view(FRONT, 100.0);
     ball.inspector.look(view, [21, 15], None).unwrap();
     assert_eq!(ball.inspector.pick([0, 7]).unwrap(), None);
-    let model = Model::new(gpu(), &ball.compilation.scene.as_ref().unwrap().graph, &[19.0]).unwrap();
-    ball.inspector = Inspector::new(gpu(), &model).unwrap();
+    ball.inspector.set_parameters(&[19.0]).unwrap();
+    ball.inspector.look(view, [21, 15], None).unwrap();
+    assert!(ball.inspector.pick([10, 0]).unwrap().is_some(), "a ball that fills the picture");
+    ball.inspector.look(view, [41, 31], None).unwrap();
+    assert!(ball.inspector.draw_while(view, [40, 31], &Inspection::Normals, &|| false).unwrap().is_none());
+    assert_eq!(ball.inspector.size(), [0; 2], "it was interrupted");
     ball.inspector.look(view, [41, 31], None).unwrap();
     let point = ball.inspector.pick([20, 15]).unwrap().unwrap();
     assert!((point[1] + 19.0).abs() < 0.01, "{point:?}");

@@ -135,33 +135,68 @@ impl Inspector {
         })
     }
 
+    /// Moves the model's live numbers to these values, in the order of their ids. (A picture of the same model moves them
+    /// too; it has to be told itself to start anew.)
+    pub fn set_parameters(&mut self, parameters: &[f64]) -> Result<()> {
+        self.model.set_parameters(&self.gpu, parameters)
+    }
+
     /// Draws an inspection of `size` pixels (width, height). What the rays met is kept until the view, the size, the plane
     /// or a live number changes.
     pub fn draw(&mut self, view: View, size: [u32; 2], inspection: &Inspection) -> Result<Drawing> {
+        let drawing = self.draw_while(view, size, inspection, &|| true)?;
+        Ok(drawing.unwrap_or_else(|| unreachable!("nobody interrupted it")))
+    }
+
+    /// The same, as long as `goes_on` says so, which is asked about ten times a second; none if it said no.
+    pub fn draw_while(
+        &mut self,
+        view: View,
+        size: [u32; 2],
+        inspection: &Inspection,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<Option<Drawing>> {
         self.time = Duration::ZERO;
-        self.look(view, size, inspection.plane())?;
-        match inspection {
-            Inspection::Normals => Ok(colors::normals(size, &self.normals()?)),
-            Inspection::Depth => Ok(colors::depth(size, &self.positions()?)),
-            Inspection::Evaluations => Ok(colors::evaluations(size, &self.evaluations()?)),
+        if !self.look_while(view, size, inspection.plane(), goes_on)? {
+            return Ok(None);
+        }
+        let drawing = match inspection {
+            Inspection::Normals => colors::normals(size, &self.normals()?),
+            Inspection::Depth => colors::depth(size, &self.positions()?),
+            Inspection::Evaluations => colors::evaluations(size, &self.evaluations()?),
             Inspection::Section(_) => {
-                let sections = self.sections()?;
-                Ok(colors::section(size, &sections, &self.positions()?, &self.normals()?, view.pixel_angle(size)))
+                let Some(sections) = self.sections(goes_on)? else { return Ok(None) };
+                colors::section(size, &sections, &self.positions()?, &self.normals()?, view.pixel_angle(size))
             }
             Inspection::FieldClass => {
                 let classes = self.classes()?;
-                Ok(colors::classes(size, &classes, &self.positions()?, &self.normals()?))
+                colors::classes(size, &classes, &self.positions()?, &self.normals()?)
             }
-            Inspection::DistanceError(None) => Ok(colors::slopes(size, &self.positions()?, &self.normals()?)),
-            Inspection::DistanceError(Some(_)) => Ok(colors::section_slopes(size, &self.sections()?)),
-        }
+            Inspection::DistanceError(None) => colors::slopes(size, &self.positions()?, &self.normals()?),
+            Inspection::DistanceError(Some(_)) => {
+                let Some(sections) = self.sections(goes_on)? else { return Ok(None) };
+                colors::section_slopes(size, &sections)
+            }
+        };
+        Ok(Some(drawing))
     }
 
     /// Finds what pixels see, cut open by a plane if there is one.
     pub fn look(&mut self, view: View, size: [u32; 2], cut: Option<Plane>) -> Result<()> {
+        self.look_while(view, size, cut, &|| true).map(|_| ())
+    }
+
+    /// The same, as long as `goes_on` says so; false if it was interrupted, and then no pixel sees anything.
+    pub fn look_while(
+        &mut self,
+        view: View,
+        size: [u32; 2],
+        cut: Option<Plane>,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<bool> {
         let look = Look { view, size, cut, parameters: self.model.parameters() };
         if self.screen.as_ref().is_some_and(|screen| screen.look == look) {
-            return Ok(());
+            return Ok(true);
         }
         self.surface.set_parameters(&self.gpu, &look.parameters)?;
         self.write_plane(cut);
@@ -177,9 +212,10 @@ impl Inspector {
         ];
         let groups =
             [self.surface.bind_shared(&self.gpu, Some(&self.view))?, self.surface.kernel.bind(&self.gpu, 1, &own)?];
-        self.time += self.run(&self.surface, &groups, view, size)?;
+        let Some(took) = self.run(&self.surface, &groups, view, size, goes_on)? else { return Ok(false) };
+        self.time += took;
         self.screen = Some(screen);
-        Ok(())
+        Ok(true)
     }
 
     /// Where the pixels of the last view see a surface, in millimetres: rows from the top. The fourth number is how far from
@@ -233,20 +269,21 @@ impl Inspector {
     }
 
     /// The distances where the last view's pixels see its plane.
-    fn sections(&mut self) -> Result<Vec<[f32; 4]>> {
+    fn sections(&mut self, goes_on: &dyn Fn() -> bool) -> Result<Option<Vec<[f32; 4]>>> {
         if self.section.is_none() {
             let slots = [(0, Slot::Read), (1, Slot::ReadWrite)];
             let source = Source::of(&self.model.graph, Template::Inspect(Inspect::Section))?;
             self.section = Some(Program::new(&self.gpu, source, "section", true, &slots)?);
         }
-        let (Some(program), Some(screen)) = (&self.section, &self.screen) else { return Ok(Vec::new()) };
+        let (Some(program), Some(screen)) = (&self.section, &self.screen) else { return Ok(None) };
         program.set_parameters(&self.gpu, &screen.look.parameters)?;
         let own = [(0, self.cut.as_entire_binding()), (1, screen.sections.as_entire_binding())];
         let groups = [program.bind_shared(&self.gpu, Some(&self.view))?, program.kernel.bind(&self.gpu, 1, &own)?];
-        let took = self.run(program, &groups, screen.look.view, screen.look.size)?;
+        let took = self.run(program, &groups, screen.look.view, screen.look.size, goes_on)?;
+        let Some(took) = took else { return Ok(None) };
         let sections = pod_collect_to_vec(&self.gpu.read(&screen.sections)?);
         self.time += took;
-        Ok(sections)
+        Ok(Some(sections))
     }
 
     /// What the field is where the last view's pixels see a surface.
@@ -271,22 +308,30 @@ impl Inspector {
         Ok(classes)
     }
 
-    /// Runs a program for each pixel, part by part.
-    fn run(&self, program: &Program, groups: &[BindGroup; 2], view: View, size: [u32; 2]) -> Result<Duration> {
+    /// Runs a program for each pixel, part by part, as long as `goes_on` says so; none if it said no.
+    fn run(
+        &self,
+        program: &Program,
+        groups: &[BindGroup; 2],
+        view: View,
+        size: [u32; 2],
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<Option<Duration>> {
         let studio = Studio { floor: None, azimuth: 0.0 };
         let uniform = ViewUniform::new(&view, &self.model.bounds, self.model.lipschitz, studio, size);
         let mut parts = Parts::new(size);
         let mut took = Duration::ZERO;
-        loop {
+        while goes_on() {
             let part = parts.current();
             let of_part = uniform.at_sample(0, part, Level { edge: 1, first: 0 }, false);
             self.gpu.queue.write_buffer(&self.view, 0, bytemuck::bytes_of(&of_part));
             let of_part = program.kernel.run(&self.gpu, &self.stopwatch, &groups.each_ref(), workgroups(part.size))?;
             took += of_part;
             if parts.advance(of_part) {
-                return Ok(took);
+                return Ok(Some(took));
             }
         }
+        Ok(None)
     }
 
     fn write_plane(&self, plane: Option<Plane>) {
