@@ -9,19 +9,21 @@ use crate::words::{Position, bracket};
 
 mod indentation;
 
-use indentation::Indentation;
+use indentation::{Column, Indentation};
 
-/// The spaces of one level.
-const INDENT: &str = "    ";
-/// The most levels that are shown, which bounds the length of texts that are very deep.
-const MOST_LEVELS: usize = 16;
+/// How many spaces one level is.
+const LEVEL: usize = 4;
 
 /// A line of the formatted text.
 struct Line {
     /// Whether a blank line stands above.
     is_apart: bool,
+    /// How many spaces stand in front.
     indentation: usize,
     code: String,
+    /// How many characters the line has, indentation included but no comment behind. Where there are breaks in its texts
+    /// or comments, the last part counts.
+    width: usize,
     comment: Option<Trailing>,
 }
 
@@ -35,14 +37,19 @@ struct Trailing {
 }
 
 impl Line {
-    /// How many characters the code takes, the indentation included. Of a line that has breaks in its texts or comments,
-    /// the last part counts.
-    fn width(&self) -> usize {
-        match self.code.rsplit_once('\n') {
-            Some((_, last)) => last.chars().count(),
-            None => INDENT.len() * self.indentation + self.code.chars().count(),
-        }
+    fn push(&mut self, code: &str) {
+        self.code.push_str(code);
+        self.width = column_behind(self.width, code);
     }
+}
+
+/// The column behind a text that begins in a column. A tab counts as the spaces of one level.
+fn column_behind(column: usize, text: &str) -> usize {
+    text.chars().fold(column, |column, character| match character {
+        '\n' | '\r' => 0,
+        '\t' => column + LEVEL,
+        _ => column + 1,
+    })
 }
 
 /// The text with its lines indented and its words spaced.
@@ -53,17 +60,17 @@ pub(super) fn formatted(text: &str) -> String {
     // The text behind its end, if it has one before its last character, stays as it is.
     let rest = text[end..].find('\x03').map(|at| &text[end + at..]);
     let line_break = line_break(text, &tokens);
-    let mut lines = lines(text, &tokens);
+    let lines = lines(text, &tokens);
     let columns = columns(&lines);
     let mut formatted = String::with_capacity(text.len());
-    for (line, column) in lines.iter_mut().zip(columns) {
+    for (line, column) in lines.iter().zip(columns) {
         if line.is_apart {
             formatted.push_str(line_break);
         }
-        formatted.push_str(&INDENT.repeat(line.indentation));
+        formatted.push_str(&" ".repeat(line.indentation));
         formatted.push_str(&line.code);
         if let Some(comment) = &line.comment {
-            formatted.push_str(&" ".repeat(column.saturating_sub(line.width())));
+            formatted.push_str(&" ".repeat(column.saturating_sub(line.width)));
             formatted.push_str(&comment.text);
         }
         formatted.push_str(line_break);
@@ -89,6 +96,7 @@ fn lines(text: &str, tokens: &[Token]) -> Vec<Line> {
     let words = words(text, tokens);
     let mut indentation = Indentation::default();
     let mut position = Position::default();
+    let mut before = Before { place: 0, column: 0 };
     let mut lines: Vec<Line> = Vec::new();
     for (at, word) in words.iter().enumerate() {
         let token = word.token;
@@ -96,33 +104,55 @@ fn lines(text: &str, tokens: &[Token]) -> Vec<Line> {
         let gap = &text[previous.map_or(0, |previous| previous.token.range().end)..token.range().start];
         let breaks = breaks(gap).max(usize::from(previous.is_some_and(|previous| ends_line(previous.token.kind))));
         let code = &text[token.range()];
+        let column = before.column(text, token.range().start);
         match (lines.last_mut(), previous) {
+            (Some(line), Some(_)) if breaks == 0 && token.kind == TokenKind::LineComment => {
+                line.comment = Some(Trailing { text: code.to_owned(), column, gap: gap.chars().count().max(1) });
+            }
             (Some(line), Some(previous)) if breaks == 0 => {
-                if token.kind == TokenKind::LineComment {
-                    let column = column(text, token.range().start);
-                    line.comment = Some(Trailing { text: code.to_owned(), column, gap: gap.chars().count().max(1) });
-                } else {
-                    if is_spaced(text, previous, *word, !gap.is_empty()) {
-                        line.code.push(' ');
-                    }
-                    line.code.push_str(code);
+                if is_spaced(text, previous, *word, !gap.is_empty()) {
+                    line.push(" ");
                 }
+                let to = line.width;
+                line.push(code);
+                indentation.see(token.kind, position.is_statement(), Column { from: column, to });
             }
             _ => {
-                let opens = previous.and_then(|previous| bracket(previous.token.kind)).is_some_and(|(_, opens)| opens);
-                let closes = bracket(token.kind).is_some_and(|(_, opens)| !opens);
-                let is_apart = breaks > 1 && previous.is_some() && !opens && !closes;
-                let depth = indentation.of_line(token.kind, column(text, token.range().start), position.is_statement());
-                let code = code.to_owned();
-                lines.push(Line { is_apart, indentation: depth.min(MOST_LEVELS), code, comment: None });
+                let to = indentation.of_line(token.kind, column, position.is_statement());
+                let is_apart = breaks > 1 && previous.is_some_and(|previous| !is_edge(previous, *word));
+                let mut line = Line { is_apart, indentation: to, code: String::new(), width: to, comment: None };
+                line.push(code);
+                lines.push(line);
+                indentation.see(token.kind, position.is_statement(), Column { from: column, to });
             }
         }
         if !token.kind.is_comment() {
-            indentation.see(token.kind, position.is_statement());
             position.see(token.kind);
         }
     }
     lines
+}
+
+/// Whether two tokens are the beginning or the end of what stands in brackets, where no blank line is.
+fn is_edge(previous: Word, word: Word) -> bool {
+    let opens = bracket(previous.token.kind).is_some_and(|(_, opens)| opens);
+    let closes = bracket(word.token.kind).is_some_and(|(_, opens)| !opens);
+    opens || closes
+}
+
+/// How many characters stand before a place on its line.
+struct Before {
+    place: usize,
+    column: usize,
+}
+
+impl Before {
+    /// The column of a place. Asked for ever later places, it walks along the text once.
+    fn column(&mut self, text: &str, place: usize) -> usize {
+        self.column = column_behind(self.column, &text[self.place..place]);
+        self.place = place;
+        self.column
+    }
 }
 
 /// All tokens with their roles.
@@ -145,12 +175,6 @@ fn ends_line(kind: TokenKind) -> bool {
     matches!(kind, TokenKind::LineComment | TokenKind::UnclosedString | TokenKind::UnclosedPath)
 }
 
-/// How many characters stand before a place on its line; a tab counts as those of one level.
-fn column(text: &str, place: usize) -> usize {
-    let begin = text[..place].rfind(['\n', '\r']).map_or(0, |at| at + 1);
-    text[begin..place].chars().map(|character| if character == '\t' { INDENT.len() } else { 1 }).sum()
-}
-
 /// Where the comment of each line is to stand: comments of neighbouring lines that stood in one column stay in one.
 fn columns(lines: &[Line]) -> Vec<usize> {
     let stands_with = |a: &Line, b: &Line| match (&a.comment, &b.comment) {
@@ -159,7 +183,7 @@ fn columns(lines: &[Line]) -> Vec<usize> {
     };
     let groups = lines.chunk_by(stands_with);
     let column = |group: &[Line]| {
-        let width = group.iter().map(Line::width).max().unwrap_or(0);
+        let width = group.iter().map(|line| line.width).max().unwrap_or(0);
         let gap = group.iter().filter_map(|line| line.comment.as_ref()).map(|comment| comment.gap).min();
         width + gap.unwrap_or(1)
     };

@@ -42,6 +42,10 @@ fn lines_are_indented() {
     check("a = 1 +\n2 +\n3;\nb = 2;", "a = 1 +\n    2 +\n    3;\nb = 2;\n");
     check("a = [\nfor (i = b)\ni,\n2\n];", "a = [\n    for (i = b)\n        i,\n    2\n];\n");
     check("polygon([[1,2],\n[3,4]]);", "polygon([[1, 2],\n    [3, 4]]);\n");
+    check(
+        "f(a = [[1,2],\n       [3,4]],\n  b = 5,\n  c = (1 +\n       2));",
+        "f(a = [[1, 2],\n       [3, 4]],\n  b = 5,\n  c = (1 +\n       2));\n",
+    );
     check("a();\n{\nb();\n}\nc();", "a();\n{\n    b();\n}\nc();\n");
 }
 

@@ -2,10 +2,23 @@
 
 use chiaro_syntax::TokenKind;
 
+use super::LEVEL;
 use crate::nesting::{BRACES, Nesting};
 use crate::words::bracket;
 
-/// What is open at a place, and how deep.
+/// The most spaces in front of a line, which bounds the length of texts that are very deep.
+const MOST: usize = 16 * LEVEL;
+
+/// Where a token stands on its line, in characters.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct Column {
+    /// In the text as it was.
+    pub(super) from: usize,
+    /// In the formatted text.
+    pub(super) to: usize,
+}
+
+/// What is open at a place, and how deep. All depths are in spaces.
 #[derive(Default)]
 pub(super) struct Indentation {
     levels: Nesting<Level>,
@@ -22,6 +35,10 @@ pub(super) struct Indentation {
 struct Level {
     /// How deep the line is indented that the bracket stands on: the closing one goes there too.
     opener: usize,
+    /// Where the first token behind the bracket stands, if it is on the same line. Lines that were aligned with it stay so.
+    first: Option<Column>,
+    /// Whether there is no token behind the bracket yet.
+    is_new: bool,
     statements: Statements,
 }
 
@@ -48,7 +65,11 @@ impl Indentation {
     /// How deep a line is indented that begins with such a token, in a column of the text.
     pub(super) fn of_line(&mut self, first: TokenKind, column: usize, is_statement: bool) -> usize {
         self.column = column;
-        self.line = self.depth(first, is_statement);
+        self.line = self.depth(first, is_statement).min(MOST);
+        if let Some(level) = self.levels.innermost_mut().filter(|_| !first.is_comment()) {
+            // What begins on a line of its own is nothing to be aligned with.
+            level.is_new = false;
+        }
         self.line
     }
 
@@ -59,15 +80,19 @@ impl Indentation {
             return level.opener;
         }
         let (inside, statements) = match self.levels.innermost() {
-            Some((_, level)) => (level.opener + 1, &level.statements),
+            Some((_, level)) => (level.opener + LEVEL, &level.statements),
             None => (0, &self.outside),
         };
         if !self.levels.is_block() {
+            let aligned = self.levels.innermost().and_then(|(_, level)| level.first);
+            if let Some(aligned) = aligned.filter(|aligned| aligned.from == self.column && aligned.to <= MOST) {
+                return aligned.to;
+            }
             let begins_item = matches!(
                 self.previous,
                 Some(TokenKind::OpenParenthesis | TokenKind::OpenBracket | TokenKind::Comma | TokenKind::Semicolon)
             );
-            return if begins_item || first.is_comment() { inside } else { inside + 1 };
+            return if begins_item || first.is_comment() { inside } else { inside + LEVEL };
         }
         match statements.heads.last() {
             None => inside,
@@ -79,17 +104,25 @@ impl Indentation {
             Some(head) if first == TokenKind::OpenBrace && is_statement => head.depth,
             // Some write what is transformed below the transform, on the same level. That is left to them.
             Some(head) if head.kind == TokenKind::Name && is_statement && self.column <= head.column => head.depth,
-            Some(head) => head.depth + 1,
+            Some(head) => head.depth + LEVEL,
         }
     }
 
-    /// Takes note of a token that is no comment. `is_statement` says whether a statement, or a child, can begin there.
-    pub(super) fn see(&mut self, kind: TokenKind, is_statement: bool) {
+    /// Takes note of a token. `is_statement` says whether a statement, or a child, can begin there.
+    pub(super) fn see(&mut self, kind: TokenKind, is_statement: bool, at: Column) {
+        if kind.is_comment() {
+            return;
+        }
+        if let Some(level) = self.levels.innermost_mut().filter(|level| level.is_new) {
+            level.is_new = false;
+            level.first = Some(at);
+        }
         self.previous = Some(kind);
         let (depth, column) = (self.line, self.column);
         match bracket(kind) {
             Some((pair, true)) => {
-                self.levels.open(pair, Level { opener: depth, statements: Statements::default() });
+                self.levels
+                    .open(pair, Level { opener: depth, first: None, is_new: true, statements: Statements::default() });
                 return;
             }
             Some((pair, false)) => {
