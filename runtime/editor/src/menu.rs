@@ -9,7 +9,7 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     egui::MenuBar::new().ui(ui, |ui| {
         ui.menu_button("View", |ui| {
             if ui.button("Frame all").clicked() {
-                editor.viewport.view = None;
+                editor.viewport.frame_all();
             }
         });
     });

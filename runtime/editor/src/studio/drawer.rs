@@ -4,14 +4,16 @@
 //! looked at about ten times a second, between two steps of a picture.
 
 mod canvas;
+mod inspection;
 mod pace;
 
 use std::time::{Duration, Instant};
 
-use chiaro_render::{Error, View};
+use chiaro_render::{Error, Inspection, Legend, Mask, View};
 
-use super::{Event, Frame, Order, Shared, Subject, Wanted, guarded};
+use super::{Event, Eye, Frame, Look, Order, Shared, Subject, Wanted, guarded};
 use canvas::Canvas;
+use inspection::Inspecting;
 use pace::Pace;
 
 /// A picture in progress is shown this often.
@@ -53,8 +55,11 @@ struct Easel {
     /// From where the scene was seen first: the studio's lights stand as seen from there.
     first_view: Option<View>,
     /// The view that frames the subject.
-    framing: Option<View>,
+    framing: Option<(Eye, Vec<f64>, View)>,
     pace: Pace,
+    inspected_pace: Pace,
+    /// What looks at the subject, once something but light was asked for.
+    inspecting: Option<Inspecting>,
     small: Option<Canvas>,
     full: Option<Canvas>,
     last_shown: Option<Instant>,
@@ -79,13 +84,13 @@ impl Easel {
 
     /// Forgets the subject: the picture before stays in the window until another one comes.
     fn give_up(&mut self) {
-        (self.subject, self.small, self.full) = (None, None, None);
+        (self.subject, self.small, self.full, self.inspecting) = (None, None, None, None);
         self.stage = Stage::Done;
     }
 
     fn accept(&mut self, order: Order) {
         if let Some(subject) = order.subject {
-            (self.small, self.full, self.framing) = (None, None, None);
+            (self.small, self.full, self.framing, self.inspecting) = (None, None, None, None);
             self.subject = Some(subject);
             self.stage = Stage::Small;
         }
@@ -103,23 +108,56 @@ impl Easel {
         if self.subject.is_none() {
             return Ok(None);
         }
-        match self.stage {
-            Stage::Done => Ok(None),
-            Stage::Small => self.draw_small().map(Some),
-            Stage::Full => self.draw_full(),
+        match (self.stage, self.wanted.look) {
+            (Stage::Done, _) => Ok(None),
+            (_, Look::Inspected(inspection)) => self.inspect(&inspection).map(Some),
+            (Stage::Small, Look::Lit) => self.draw_small().map(Some),
+            (Stage::Full, Look::Lit) => self.draw_full(),
         }
+    }
+
+    fn inspect(&mut self, inspection: &Inspection) -> Result<Frame, Error> {
+        let size = if self.wanted.moving { self.inspected_pace.small(self.wanted.size) } else { self.wanted.size };
+        let view = self.view()?;
+        let Some(subject) = &self.subject else { return Err(Error::NoDriver) };
+        subject.model.set_parameters(&subject.gpu, &self.wanted.parameters(&subject.scene))?;
+        let begun = Instant::now();
+        let (rgba, legend) = self.inspecting()?.draw(view, size, inspection)?;
+        let took = begun.elapsed();
+        self.inspected_pace.note(size, took);
+        let mask = self.mask(view, size)?;
+        self.stage = if size == self.wanted.size || self.wanted.moving { Stage::Done } else { Stage::Full };
+        let picture = Picture { size, rgba, other: None, legend: Some(legend), mask, view, samples: 1, took };
+        self.frame(picture, took)
+    }
+
+    fn inspecting(&mut self) -> Result<&mut Inspecting, Error> {
+        let Some(subject) = &self.subject else { return Err(Error::NoDriver) };
+        match &mut self.inspecting {
+            Some(inspecting) => Ok(inspecting),
+            empty => Ok(empty.insert(Inspecting::new(subject)?)),
+        }
+    }
+
+    /// Which pixels show what is to be outlined.
+    fn mask(&mut self, view: View, size: [u32; 2]) -> Result<Option<Mask>, Error> {
+        let (Some(subject), Some(outlined)) = (&self.subject, self.wanted.outlined.clone()) else { return Ok(None) };
+        let parameters = self.wanted.parameters(&subject.scene);
+        self.inspecting()?.mask(view, size, &outlined, &parameters)
     }
 
     fn draw_small(&mut self) -> Result<Frame, Error> {
         let size = self.pace.small(self.wanted.size);
         let view = self.view()?;
         let at_hand = self.small.take();
-        let mut canvas = self.canvas(at_hand, size)?;
+        let mut canvas = self.canvas(at_hand, size, view)?;
         canvas.prepare(&self.wanted, view)?;
         let begun = Instant::now();
         canvas.sample()?;
-        self.pace.note(size, begun.elapsed());
-        let frame = self.frame(&canvas, begun.elapsed())?;
+        let took = begun.elapsed();
+        self.pace.note(size, took);
+        let mask = self.mask(view, size)?;
+        let frame = self.frame(canvas.picture(mask)?, took)?;
         self.small = Some(canvas);
         self.stage = if self.wanted.moving { Stage::Done } else { Stage::Full };
         Ok(frame)
@@ -128,14 +166,19 @@ impl Easel {
     fn draw_full(&mut self) -> Result<Option<Frame>, Error> {
         let view = self.view()?;
         let at_hand = self.full.take();
-        let mut canvas = self.canvas(at_hand, self.wanted.size)?;
+        let mut canvas = self.canvas(at_hand, self.wanted.size, view)?;
         canvas.prepare(&self.wanted, view)?;
         let begun = Instant::now();
         let is_complete = canvas.samples() < self.wanted.samples && canvas.step()?;
         let is_done = canvas.samples() >= self.wanted.samples;
         let is_due = canvas.samples() <= 1 || self.last_shown.is_none_or(|shown| shown.elapsed() >= SHOWN_EVERY);
         let shown = is_done || is_complete && is_due;
-        let frame = if shown { Some(self.frame(&canvas, begun.elapsed())?) } else { None };
+        let frame = if shown {
+            let mask = self.mask(view, self.wanted.size)?;
+            Some(self.frame(canvas.picture(mask)?, begun.elapsed())?)
+        } else {
+            None
+        };
         if is_done {
             self.stage = Stage::Done;
         }
@@ -144,47 +187,68 @@ impl Easel {
     }
 
     /// A canvas of that size: the one at hand, if it is.
-    fn canvas(&self, at_hand: Option<Canvas>, size: [u32; 2]) -> Result<Canvas, Error> {
+    fn canvas(&self, at_hand: Option<Canvas>, size: [u32; 2], view: View) -> Result<Canvas, Error> {
+        let view = self.first_view.unwrap_or(view);
         let Some(subject) = &self.subject else { return Err(Error::NoDriver) };
         match at_hand.filter(|canvas| canvas.size() == size && canvas.compares() == self.wanted.other.is_some()) {
             Some(canvas) => Ok(canvas),
-            None => Canvas::new(subject, size, self.first_view, &self.wanted),
+            None => Canvas::new(subject, size, view, &self.wanted),
         }
     }
 
     /// From where the subject is seen.
     fn view(&mut self) -> Result<View, Error> {
         let Some(subject) = &self.subject else { return Err(Error::NoDriver) };
-        let view = match self.wanted.view {
-            Some(view) => view,
-            None => {
+        let eye = self.wanted.eye;
+        let view = match eye {
+            Eye::At(view) => view,
+            Eye::Scene | Eye::Framed(..) => {
                 let parameters = self.wanted.parameters(&subject.scene);
-                let extent = subject.model.extent(&subject.gpu)?;
-                let aspect = f64::from(self.wanted.size[0]) / f64::from(self.wanted.size[1]);
-                *self.framing.insert(View::framing(&subject.scene.camera, &parameters, &extent, aspect))
+                let known = self.framing.take().filter(|(of, values, _)| *of == eye && *values == parameters);
+                let (_, _, view) = match known {
+                    Some(known) => self.framing.insert(known),
+                    None => {
+                        let view = framed(subject, &eye, &parameters, self.wanted.size)?;
+                        self.framing.insert((eye, parameters, view))
+                    }
+                };
+                *view
             }
         };
         self.first_view.get_or_insert(view);
         Ok(view)
     }
 
-    fn frame(&mut self, canvas: &Canvas, first_sample: Duration) -> Result<Frame, Error> {
+    fn frame(&mut self, picture: Picture, first_sample: Duration) -> Result<Frame, Error> {
         let Some(subject) = &mut self.subject else { return Err(Error::NoDriver) };
+        let Picture { size, rgba, other, legend, mask, view, samples, took } = picture;
         let timings = &mut subject.timings;
-        timings.sample = canvas.sample_time();
-        let (rgba, other) = canvas.pixels()?;
+        timings.sample = took;
         if let Some(asked) = timings.asked.take() {
             (timings.first_sample, timings.to_frame) = (first_sample, asked.elapsed());
         }
         self.last_shown = Some(Instant::now());
-        Ok(Frame {
-            revision: subject.revision,
-            size: canvas.size(),
-            rgba,
-            other,
-            view: canvas.view(),
-            samples: canvas.samples(),
-            timings: *timings,
-        })
+        let (revision, timings) = (subject.revision, *timings);
+        Ok(Frame { revision, size, rgba, other, legend, mask, view, samples, timings })
     }
+}
+
+/// The view that shows all of a subject.
+fn framed(subject: &Subject, eye: &Eye, parameters: &[f64], size: [u32; 2]) -> Result<View, Error> {
+    subject.model.set_parameters(&subject.gpu, parameters)?;
+    let extent = subject.model.extent(&subject.gpu)?;
+    let aspect = f64::from(size[0]) / f64::from(size[1]);
+    Ok(View::framing(&eye.camera(&subject.scene.camera), parameters, &extent, aspect))
+}
+
+/// What a frame shows.
+struct Picture {
+    size: [u32; 2],
+    rgba: Vec<u8>,
+    other: Option<Vec<u8>>,
+    legend: Option<Legend>,
+    mask: Option<Mask>,
+    view: View,
+    samples: u32,
+    took: Duration,
 }

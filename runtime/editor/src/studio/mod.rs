@@ -17,11 +17,11 @@ use std::thread::JoinHandle;
 
 use chiaro_compiler::syntax::{Diagnostic, Sources};
 use chiaro_compiler::{Provenance, Scene};
-use chiaro_render::{Gpu, Model, Preference, View};
+use chiaro_render::{Gpu, Legend, Mask, Model, Preference, View};
 
 use slot::Slot;
 pub(crate) use timings::Timings;
-pub(crate) use wanted::{LiveValue, Wanted};
+pub(crate) use wanted::{Eye, LiveValue, Look, Outlined, Wanted};
 pub(crate) use world::{BufferWorld, Buffers};
 
 /// A program to compile.
@@ -73,6 +73,10 @@ pub(crate) struct Frame {
     pub(crate) rgba: Vec<u8>,
     /// The same with the other light algorithm, if two are compared.
     pub(crate) other: Option<Vec<u8>>,
+    /// What the colours mean, if the scene is not lit.
+    pub(crate) legend: Option<Legend>,
+    /// Which pixels show what is outlined.
+    pub(crate) mask: Option<Mask>,
     pub(crate) view: View,
     pub(crate) samples: u32,
     pub(crate) timings: Timings,

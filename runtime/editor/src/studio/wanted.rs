@@ -1,18 +1,21 @@
 //! What the window wants to see.
 
-use chiaro_compiler::Scene;
+use std::sync::Arc;
+
 use chiaro_compiler::shader::Shadows;
-use chiaro_render::{Direct, View};
+use chiaro_compiler::solid::{Camera, LiveParameter, Scalar};
+use chiaro_compiler::{Provenance, Scene, SolidId};
+use chiaro_render::{Direct, Inspection, View};
 
 /// A complete description of the wanted picture; the drawing thread finds out what changed.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Wanted {
     /// In pixels.
     pub(crate) size: [u32; 2],
-    /// From where; otherwise as the scene says, or framed.
-    pub(crate) view: Option<View>,
+    pub(crate) eye: Eye,
     /// Live numbers that differ from their defaults.
     pub(crate) values: Vec<LiveValue>,
+    pub(crate) look: Look,
     pub(crate) direct: Direct,
     /// Another light algorithm, to compare with.
     pub(crate) other: Option<Direct>,
@@ -23,6 +26,44 @@ pub(crate) struct Wanted {
     pub(crate) samples: u32,
     /// Whether something moves: then frames come fast and small.
     pub(crate) moving: bool,
+    /// Whose outline is drawn.
+    pub(crate) outlined: Option<Outlined>,
+}
+
+/// From where the scene is seen.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) enum Eye {
+    /// As the scene says; what it leaves open, so that all of it is seen.
+    #[default]
+    Scene,
+    /// Turned this way, in OpenSCAD's degrees, so that all of it is seen; with this vertical field of view in degrees.
+    Framed([f64; 3], f64),
+    /// From there.
+    At(View),
+}
+
+/// What is shown of a scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) enum Look {
+    /// Light on its materials.
+    #[default]
+    Lit,
+    /// Something else about it.
+    Inspected(Inspection),
+}
+
+/// Solids of a scene.
+#[derive(Clone, Debug)]
+pub(crate) struct Outlined {
+    /// The scene's.
+    pub(crate) provenance: Arc<Provenance>,
+    pub(crate) solids: Vec<SolidId>,
+}
+
+impl PartialEq for Outlined {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.provenance, &other.provenance) && self.solids == other.solids
+    }
 }
 
 /// A live number's value.
@@ -38,14 +79,16 @@ impl Default for Wanted {
     fn default() -> Self {
         Self {
             size: [640, 480],
-            view: None,
+            eye: Eye::Scene,
             values: Vec::new(),
+            look: Look::Lit,
             direct: Direct::By(Shadows::Verified),
             other: None,
             floor: true,
             exposure: 0.0,
             samples: 64,
             moving: false,
+            outlined: None,
         }
     }
 }
@@ -53,10 +96,24 @@ impl Default for Wanted {
 impl Wanted {
     /// The values of a scene's live parameters, in the order of their ids.
     pub(crate) fn parameters(&self, scene: &Scene) -> Vec<f64> {
-        let value = |parameter: &chiaro_compiler::solid::LiveParameter| {
+        let value = |parameter: &LiveParameter| {
             let is_it = |value: &&LiveValue| value.name == *parameter.name && value.component == parameter.component;
             self.values.iter().find(is_it).map_or(parameter.default, |value| value.value)
         };
         scene.parameters.iter().map(value).collect()
+    }
+}
+
+impl Eye {
+    /// The camera of a scene seen from here; what it leaves open is to be framed.
+    pub(crate) fn camera(&self, scene: &Camera) -> Camera {
+        match self {
+            Eye::Scene | Eye::At(_) => scene.clone(),
+            Eye::Framed(rotation, field_of_view) => Camera {
+                rotation: Some(rotation.map(Scalar::from)),
+                field_of_view: Some(Scalar::from(*field_of_view)),
+                ..Camera::default()
+            },
+        }
     }
 }

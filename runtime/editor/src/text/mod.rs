@@ -22,3 +22,10 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
         editor.session.text_changed();
     }
 }
+
+impl Editor {
+    /// Selects a part of the text that is being edited, and scrolls there.
+    pub(crate) fn reveal(&mut self, range: std::ops::Range<usize>) {
+        self.session.active_mut().select(range.start, range.end);
+    }
+}

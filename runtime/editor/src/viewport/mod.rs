@@ -1,37 +1,107 @@
 //! The picture, and how one looks at it.
 
+mod handles;
+mod legend;
 mod navigation;
+mod outline;
+mod overlay;
+mod picking;
+mod selection;
+mod wipe;
 
-use chiaro_render::View;
+pub(crate) use selection::Selection;
+
+use chiaro_compiler::shader::Shadows;
+use chiaro_render::{Direct, View};
 use egui::{Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, Vec2, pos2};
 
 use crate::app::Editor;
-use crate::studio::{Frame, Timings, Wanted};
+use crate::document::DocumentId;
+use crate::studio::{Eye, Frame, Look, Timings, Wanted};
 
 /// The largest picture, in pixels: more would only be slow.
 const MOST_PIXELS: f32 = 2.0e6;
+/// The part of a picture that a texture shows: all of it.
+const WHOLE: Rect = Rect { min: pos2(0.0, 0.0), max: pos2(1.0, 1.0) };
 
 /// What is known about the picture in the window.
-#[derive(Default)]
 pub(crate) struct Viewport {
     texture: Option<TextureHandle>,
     other: Option<TextureHandle>,
-    /// From where the user looks; none, where the scene says it.
-    pub(crate) view: Option<View>,
+    outline: Option<TextureHandle>,
+    legend: Option<chiaro_render::Legend>,
+    /// Which text the view is of.
+    document: Option<DocumentId>,
+    pub(crate) eye: Eye,
     /// From where the picture in the window is seen.
     pub(crate) drawn: Option<View>,
     pub(crate) samples: u32,
     pub(crate) timings: Timings,
     /// Where the picture is in the window.
-    pub(crate) rect: Option<Rect>,
-    /// The divider between two light algorithms, as a part of the width.
-    pub(crate) wipe: Option<f32>,
-    pub(crate) is_moving: bool,
+    rect: Option<Rect>,
+    pub(crate) look: Look,
+    pub(crate) direct: Direct,
+    /// The method on the other side of the divider, and where that is as a part of the width.
+    pub(crate) compared: Option<(Direct, f32)>,
+    pub(crate) floor: bool,
+    /// In stops.
+    pub(crate) exposure: f32,
+    /// Whether drags turn the head instead of the scene, and keys move the eye.
+    pub(crate) flies: bool,
+    is_moving: bool,
+    pub(crate) selection: Option<Selection>,
+    /// The caret that the selection was made for, with the scene's revision.
+    followed: Option<((DocumentId, usize, usize), u64)>,
+    handle: Option<handles::Drag>,
+}
+
+impl Default for Viewport {
+    fn default() -> Self {
+        Self {
+            texture: None,
+            other: None,
+            outline: None,
+            legend: None,
+            document: None,
+            eye: Eye::Scene,
+            drawn: None,
+            samples: 0,
+            timings: Timings::default(),
+            rect: None,
+            look: Look::Lit,
+            direct: Direct::By(Shadows::Verified),
+            compared: None,
+            floor: true,
+            exposure: 0.0,
+            flies: false,
+            is_moving: false,
+            selection: None,
+            followed: None,
+            handle: None,
+        }
+    }
 }
 
 impl Viewport {
+    /// Looks so that all of the scene is seen, turned this way in OpenSCAD's degrees.
+    pub(crate) fn frame_from(&mut self, rotation: [f64; 3]) {
+        self.eye = Eye::Framed(rotation, self.field_of_view());
+    }
+
+    /// Looks so that all of the scene is seen, turned as it is.
+    pub(crate) fn frame_all(&mut self) {
+        match self.drawn {
+            Some(view) => self.frame_from(view.rotation),
+            None => self.eye = Eye::Scene,
+        }
+    }
+
+    fn field_of_view(&self) -> f64 {
+        self.drawn.map_or(navigation::PERSPECTIVE, |view| view.field_of_view)
+    }
+
     /// Shows a new picture.
-    fn take(&mut self, ui: &Ui, frame: &Frame) {
+    fn take(&mut self, ui: &Ui, frame: Frame, keeps_view: bool) {
         let image = |rgba: &[u8]| {
             let [width, height] = frame.size;
             ColorImage::from_rgba_unmultiplied([width as usize, height as usize], rgba)
@@ -41,9 +111,16 @@ impl Viewport {
             Some(rgba) => put(&mut self.other, ui, "other picture", image(rgba)),
             None => self.other = None,
         }
-        self.drawn = Some(frame.view);
-        self.samples = frame.samples;
-        self.timings = frame.timings;
+        match &frame.mask {
+            Some(mask) => put(&mut self.outline, ui, "outline", outline::image(mask)),
+            None => self.outline = None,
+        }
+        (self.drawn, self.samples, self.timings, self.legend) =
+            (Some(frame.view), frame.samples, frame.timings, frame.legend);
+        // While the text is edited the picture stands still, unless the scene has a camera of its own.
+        if keeps_view {
+            self.eye = Eye::At(frame.view);
+        }
     }
 }
 
@@ -56,19 +133,39 @@ fn put(texture: &mut Option<TextureHandle>, ui: &Ui, name: &str, image: ColorIma
 
 /// Shows the picture and lets the user move it.
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
+    begin_with_new_text(editor);
     if let Some(frame) = editor.session.frame.take() {
-        editor.viewport.take(ui, &frame);
+        let keeps_view = editor.viewport.eye != Eye::Scene || !has_camera(editor);
+        editor.viewport.take(ui, *frame, keeps_view);
     }
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     editor.viewport.rect = Some(rect);
-    navigation::navigate(editor, ui, &response);
-    want(editor, ui, rect.size());
-
-    let painter = ui.painter_at(rect);
-    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-    if let Some(texture) = &editor.viewport.texture {
-        painter.image(texture.id(), rect, whole, Color32::WHITE);
+    selection::follow_caret(editor);
+    let is_taken = handles::drag(editor, ui, &response) || wipe::drag(editor, ui, &response);
+    if !is_taken {
+        navigation::navigate(editor, ui, &response);
+        picking::pick(editor, &response);
     }
+    want(editor, ui, rect.size());
+    paint(editor, ui, rect);
+    overlay::show(editor, ui, rect);
+}
+
+/// Another text is looked at anew.
+fn begin_with_new_text(editor: &mut Editor) {
+    let drawn = editor.session.scene_document().id;
+    if editor.viewport.document != Some(drawn) {
+        editor.viewport.document = Some(drawn);
+        editor.viewport.eye = Eye::Scene;
+        editor.viewport.selection = None;
+    }
+}
+
+/// Whether the scene says from where it is seen.
+fn has_camera(editor: &Editor) -> bool {
+    let Some(shown) = &editor.session.shown else { return true };
+    let camera = &shown.scene.camera;
+    camera.target.is_some() || camera.eye.is_some() || camera.rotation.is_some() || camera.distance.is_some()
 }
 
 /// Asks for the picture that fits.
@@ -76,12 +173,34 @@ fn want(editor: &mut Editor, ui: &Ui, size: Vec2) {
     let pixels = size * ui.ctx().pixels_per_point();
     let shrink = (MOST_PIXELS / (pixels.x * pixels.y).max(1.0)).sqrt().min(1.0);
     let size = [pixels.x, pixels.y].map(|edge| (edge * shrink).round().max(1.0) as u32);
+    let viewport = &editor.viewport;
     let wanted = Wanted {
         size,
-        view: editor.viewport.view,
+        eye: viewport.eye,
+        values: Vec::new(),
+        look: viewport.look,
+        direct: viewport.direct,
+        other: viewport.compared.map(|(direct, _)| direct).filter(|_| viewport.look == Look::Lit),
+        floor: viewport.floor,
+        exposure: viewport.exposure,
         samples: editor.settings.samples,
-        moving: editor.viewport.is_moving || editor.clock.is_running(),
-        ..editor.session.wanted().clone()
+        moving: viewport.is_moving || viewport.handle.is_some() || editor.clock.is_running(),
+        outlined: viewport.selection.as_ref().map(Selection::outlined),
     };
     editor.session.want(wanted);
+}
+
+fn paint(editor: &Editor, ui: &Ui, rect: Rect) {
+    let (viewport, painter) = (&editor.viewport, ui.painter_at(rect));
+    painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
+    if let Some(texture) = &viewport.texture {
+        painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
+    }
+    if let (Some(other), Some((_, part))) = (&viewport.other, viewport.compared) {
+        wipe::paint(editor, &painter, rect, other, part);
+    }
+    if let (Some(outline), Some(_)) = (&viewport.outline, &viewport.selection) {
+        painter.image(outline.id(), rect, WHOLE, Color32::WHITE);
+    }
+    handles::paint(editor, ui, &painter);
 }

@@ -1,9 +1,7 @@
 //! A picture in progress, and perhaps its twin by another light algorithm.
 
-use std::time::Duration;
-
 use chiaro_compiler::Scene;
-use chiaro_render::{Direct, Error, Floor, Lighting, Picture, View};
+use chiaro_render::{Direct, Error, Floor, Lighting, Mask, Picture, View};
 
 use super::super::{Subject, Wanted};
 
@@ -25,17 +23,8 @@ struct Shown {
 }
 
 impl Canvas {
-    pub(crate) fn new(
-        subject: &Subject,
-        size: [u32; 2],
-        first_view: Option<View>,
-        wanted: &Wanted,
-    ) -> Result<Self, Error> {
-        let view = first_view.or(wanted.view).unwrap_or_else(|| {
-            // Nobody asked for a view yet: any will do until it is set.
-            View { target: [0.0; 3], rotation: [55.0, 0.0, 25.0], distance: 100.0, field_of_view: 22.5 }
-        });
-        let picture = || Picture::new(&subject.gpu, &subject.model, view, size);
+    pub(crate) fn new(subject: &Subject, size: [u32; 2], first_view: View, wanted: &Wanted) -> Result<Self, Error> {
+        let picture = || Picture::new(&subject.gpu, &subject.model, first_view, size);
         let other = if wanted.other.is_some() { Some(picture()?) } else { None };
         Ok(Self { picture: picture()?, other, scene: subject.scene.clone(), shown: None })
     }
@@ -77,20 +66,12 @@ impl Canvas {
         self.picture.size()
     }
 
-    pub(crate) fn view(&self) -> View {
-        self.picture.view()
-    }
-
     pub(crate) fn compares(&self) -> bool {
         self.other.is_some()
     }
 
     pub(crate) fn samples(&self) -> u32 {
         self.other.as_ref().map_or(u32::MAX, Picture::samples).min(self.picture.samples())
-    }
-
-    pub(crate) fn sample_time(&self) -> Duration {
-        self.picture.timings().sample
     }
 
     /// Draws a whole sample.
@@ -107,9 +88,18 @@ impl Canvas {
         }
     }
 
-    /// What it shows, in 8 bits of sRGB.
-    pub(crate) fn pixels(&self) -> Result<(Vec<u8>, Option<Vec<u8>>), Error> {
-        Ok((self.picture.resolve()?, self.other.as_ref().map(Picture::resolve).transpose()?))
+    /// What it shows now.
+    pub(crate) fn picture(&self, mask: Option<Mask>) -> Result<super::Picture, Error> {
+        Ok(super::Picture {
+            size: self.picture.size(),
+            rgba: self.picture.resolve()?,
+            other: self.other.as_ref().map(Picture::resolve).transpose()?,
+            legend: None,
+            mask,
+            view: self.picture.view(),
+            samples: self.samples(),
+            took: self.picture.timings().sample,
+        })
     }
 
     fn pictures(&mut self) -> impl Iterator<Item = &mut Picture> {
