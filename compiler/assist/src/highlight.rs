@@ -54,7 +54,7 @@ pub struct Highlight {
 
 /// The kinds of all words of a text, in its order. Between them there is only white space.
 ///
-/// It takes time in proportion to the text's length: about a millisecond for 100 kB.
+/// It takes time in proportion to the text's length: a few milliseconds for 100 kB.
 pub fn highlight(text: &str) -> Vec<Highlight> {
     let tokens = tokens(text);
     let grammar: Vec<Token> = tokens.iter().copied().filter(|token| !token.kind.is_comment()).collect();

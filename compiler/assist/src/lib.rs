@@ -11,7 +11,7 @@
 //! | what could be written here? | [`complete`] |
 //! | what is this? | [`hover`] |
 //! | where is this defined, where used? | [`definition`], [`definition_in`], [`references`] |
-//! | how is it written well? | [`format`] |
+//! | how is it written well? | [`format()`] |
 //! | how is this mended? | [`quick_fixes`] |
 //! | which numbers are here, and how do they move? | [`numbers`], [`scrub`], [`literals_of_call`] |
 //! | which parameters has the scene? | [`parameters`], [`set_parameter`] |
