@@ -94,32 +94,41 @@ impl Lowering {
 
     /// The node for a solid; none if there is nothing of it.
     fn lower(&mut self, solid: &Arc<Solid>, context: &Context) -> Option<NodeId> {
-        let shared = Arc::strong_count(solid) > 1 || context.probe;
-        if let Some(recorder) = self.recorder.as_mut().filter(|_| !context.probe) {
-            recorder.enter(solid);
-        }
-        let node = self.lower_once(solid, shared, context);
-        if let Some(recorder) = self.recorder.as_mut().filter(|_| !context.probe) {
-            recorder.leave(node);
-        }
-        node
-    }
-
-    fn lower_once(&mut self, solid: &Arc<Solid>, shared: bool, context: &Context) -> Option<NodeId> {
         if self.builder.len() > MOST_NODES {
             self.say(Diagnostic::error(solid.span, format!("the scene has more than {MOST_NODES} parts")));
-            return None;
+            return self.recorded(solid, context, None);
         }
         let key = (Arc::as_ptr(solid), context.id);
+        let shared = Arc::strong_count(solid) > 1 || context.probe;
         if let (true, Some(known)) = (shared, self.lowered.get(&key)) {
-            return *known;
+            return self.recorded(solid, context, *known);
         }
+        self.record(context, |recorder| recorder.enter(solid));
         let node = self.lower_afresh(solid, context);
         let node = node.filter(|node| !self.builder.facts(*node).bounds.is_empty());
+        self.record(context, |recorder| recorder.leave(node));
         if shared {
             self.lowered.insert(key, node);
         }
         node
+    }
+
+    /// Writes down what is known of a solid without lowering it.
+    #[inline(never)]
+    fn recorded(&mut self, solid: &Arc<Solid>, context: &Context, node: Option<NodeId>) -> Option<NodeId> {
+        self.record(context, |recorder| {
+            recorder.enter(solid);
+            recorder.leave(node);
+        });
+        node
+    }
+
+    /// Writes something down, if somebody wants to know and the solid is not only being measured.
+    #[inline(never)]
+    fn record(&mut self, context: &Context, write: impl FnOnce(&mut Recorder)) {
+        if let Some(recorder) = self.recorder.as_mut().filter(|_| !context.probe) {
+            write(recorder);
+        }
     }
 
     fn lower_afresh(&mut self, solid: &Arc<Solid>, context: &Context) -> Option<NodeId> {
