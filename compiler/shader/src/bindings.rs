@@ -11,5 +11,8 @@ pub const LIVE: ResourceBinding = ResourceBinding { group: 0, binding: 1 };
 /// The storage buffer of large outlines and polytopes, `array<vec4<f32>>`. Only in modules of scenes that have any.
 pub const TABLES: ResourceBinding = ResourceBinding { group: 0, binding: 2 };
 
+/// The storage buffer of the glossy lobe, [`GLOSS_TABLE`](crate::GLOSS_TABLE). Only in templates that light surfaces.
+pub const GLOSS: ResourceBinding = ResourceBinding { group: 0, binding: 3 };
+
 /// The group of the template's own buffers and textures.
 pub const OWN_GROUP: u32 = 1;

@@ -20,5 +20,5 @@ pub use emit::MAX_NODES;
 pub use shadows::{Shadows, Verified};
 pub use splice::{Shader, splice};
 pub use tables::Tables;
-pub use template::{Inspect, Template};
+pub use template::{GLOSS_TABLE, Inspect, Template};
 pub use text::wgsl;

@@ -63,11 +63,14 @@ impl Template {
             Template::Trace => {
                 let own =
                     [MEET, include_str!("../templates/trace_lights.wgsl"), include_str!("../templates/trace.wgsl")];
-                [&PICTURE[..], &LIGHTS, &own].concat()
+                [&PICTURE[..], &SURFACES, &LIGHTS, &own].concat()
             }
             Template::Shadows(method) => [&PICTURE[..], &LIGHTS, method.files()].concat(),
             Template::Verified(pass) => [&PICTURE[..], &LIGHTS, pass.files()].concat(),
-            Template::Shade => [&PICTURE[..], &LIGHTS, &[include_str!("../templates/shade.wgsl")]].concat(),
+            Template::Shade => {
+                let own = [include_str!("../templates/light_lobe.wgsl"), include_str!("../templates/shade.wgsl")];
+                [&PICTURE[..], &SURFACES, &LIGHTS, &own].concat()
+            }
             Template::Inspect(pass) => pass.files(),
         }
     }
@@ -96,12 +99,17 @@ impl Inspect {
 const MEET: &str = include_str!("../templates/trace_meet.wgsl");
 
 /// What pictures are drawn with.
-const PICTURE: [&str; 5] = [
+const PICTURE: [&str; 3] = [
     include_str!("../templates/trace_view.wgsl"),
     include_str!("../templates/trace_numbers.wgsl"),
-    include_str!("../templates/trace_surface.wgsl"),
-    include_str!("../templates/trace_studio.wgsl"),
     include_str!("../templates/receiver.wgsl"),
+];
+
+/// What is known of surfaces and of what surrounds them.
+const SURFACES: [&str; 3] = [
+    include_str!("../templates/trace_surface.wgsl"),
+    include_str!("../templates/gloss.wgsl"),
+    include_str!("../templates/trace_studio.wgsl"),
 ];
 
 /// What is known of lights.
@@ -109,8 +117,8 @@ const LIGHTS: [&str; 6] = [
     include_str!("../templates/light.wgsl"),
     include_str!("../templates/light_bounds.wgsl"),
     include_str!("../templates/light_crossing.wgsl"),
+    include_str!("../templates/light_outline.wgsl"),
     include_str!("../templates/light_forms.wgsl"),
-    include_str!("../templates/light_nearest.wgsl"),
     include_str!("../templates/light_sampling.wgsl"),
 ];
 
@@ -121,6 +129,10 @@ pub(crate) struct Parsed {
     /// The module's functions by name.
     pub(crate) functions: FxHashMap<String, Handle<Function>>,
 }
+
+/// What [`GLOSS`](crate::bindings::GLOSS) is: rows of four 32-bit floats, the least significant byte first. The example
+/// `fit_gloss` computes it.
+pub const GLOSS_TABLE: &[u8] = include_bytes!("../templates/gloss.bin");
 
 /// The stubs that splicing replaces, with the struct the second one returns.
 pub(crate) const SCENE: &str = include_str!("../templates/scene.wgsl");

@@ -1,15 +1,7 @@
 // Irradiances of lights in closed form, per radiance: E₀ = ∫ max(cos θ, 0) dω over the whole light, nothing in between.
 //
 // Theory: A sphere and a sun cover a cap of directions; for one that the horizon cuts, Lagarde and de Rousiers ("Moving
-// Frostbite to Physically Based Rendering", 2014, listing 10) give the integral. A polygon is a sum over its edges,
-// E₀ = ½ Σ ∠(vᵢ, vᵢ₊₁) n·(vᵢ × vᵢ₊₁)/|vᵢ × vᵢ₊₁| (Lambert 1760). Since the radiance is constant, of other lights only the
-// silhouette counts: a disk is taken as a polygon of 24 corners with the same area, a tube as the quadrilateral
-// between the lines where planes through p touch it.
-// Changes: The horizon cuts a convex polygon's outline in two points; edges are cut one by one, and the edge that
-// closes the gap lies on the horizon. So no list of corners is needed.
-
-/// The corners of the polygon that stands for a disk.
-const DISK_CORNERS: u32 = 24u;
+// Frostbite to Physically Based Rendering", 2014, listing 10) give the integral. Of all others the outline is a polygon.
 
 fn light_irradiance(light: Light, p: vec3<f32>, n: vec3<f32>) -> f32 {
     if light.kind.x == LIGHT_SPHERE || light.kind.x == LIGHT_SUN {
@@ -50,73 +42,33 @@ fn shines_at(light: Light, p: vec3<f32>) -> bool {
     return dot(p - light.a.xyz, normal) > 0.0;
 }
 
-/// How many corners the polygon has that stands for a light.
-fn corner_count(light: Light) -> u32 {
-    return select(4u, DISK_CORNERS, light.kind.x == LIGHT_DISK);
-}
-
-/// The i-th corner of the polygon that stands for a light, from p.
-fn light_corner(light: Light, p: vec3<f32>, i: u32) -> vec3<f32> {
-    switch light.kind.x {
-        case LIGHT_DISK: {
-            let across = basis_across(light.b.xyz);
-            let angle = TAU * f32(i) / f32(DISK_CORNERS);
-            // As large as the disk.
-            let r = light.a.w * sqrt(TAU / f32(DISK_CORNERS) / sin(TAU / f32(DISK_CORNERS)));
-            return light.a.xyz - p + r * (cos(angle) * across[0] + sin(angle) * across[1]);
-        }
-        case LIGHT_TUBE: {
-            // Across the axis the tube is a circle; the touching lines are nearer than its middle by r²/d, and to the
-            // sides by r √(1 − r²/d²).
-            let axis = normalize(light.b.xyz);
-            let to_middle = light.a.xyz - p;
-            let across = to_middle - dot(to_middle, axis) * axis;
-            let d = max(length(across), light.a.w * 1.0001);
-            let towards = across / d;
-            let part = light.a.w / d;
-            let sideways = cross(axis, towards) * (light.a.w * sqrt(max(1.0 - part * part, 0.0)));
-            let nearer = towards * (light.a.w * part);
-            let end = select(-1.0, 1.0, i == 1u || i == 2u);
-            let side = select(-1.0, 1.0, i >= 2u);
-            return to_middle - nearer + end * light.b.xyz + side * sideways;
-        }
-        default: {
-            return select(select(light.a.xyz, light.b.xyz, i == 1u), select(light.c.xyz, light.d.xyz, i == 3u), i >= 2u) - p;
-        }
-    }
-}
-
+/// Of what is within a light's outline.
 fn polygon_irradiance(light: Light, p: vec3<f32>, n: vec3<f32>) -> f32 {
-    let count = corner_count(light);
-    var sum = 0.0;
-    var leaves = vec3<f32>(0.0);
-    var enters = vec3<f32>(0.0);
-    var corner = light_corner(light, p, count - 1u);
-    var height = dot(corner, n);
-    for (var i = 0u; i < count; i++) {
-        let next = light_corner(light, p, i);
-        let next_height = dot(next, n);
-        let crossing = mix(corner, next, clamp(height / select(height - next_height, 1.0, height == next_height), 0.0, 1.0));
-        if height > 0.0 || next_height > 0.0 {
-            let starts = select(crossing, corner, height > 0.0);
-            let ends = select(crossing, next, next_height > 0.0);
-            sum += edge_integral(starts, ends, n);
-            if height > 0.0 && next_height <= 0.0 {
-                leaves = crossing;
-            }
-            if height <= 0.0 && next_height > 0.0 {
-                enters = crossing;
-            }
-        }
-        corner = next;
-        height = next_height;
+    let outline = outline_of(light, p);
+    var boundary = boundary_begun(n, outline.middle);
+    for (var i = 0u; i < outline.corners; i++) {
+        boundary = boundary_to(boundary, outline_corner(outline, i));
     }
-    return 0.5 * abs(sum + edge_integral(leaves, enters, n));
+    return max(dot(boundary_integral(boundary), n), 0.0);
 }
 
-/// The angle between two corners, times the normal's component across the plane that they span.
-fn edge_integral(a: vec3<f32>, b: vec3<f32>, n: vec3<f32>) -> f32 {
-    let across = cross(a, b);
-    let size = length(across);
-    return atan2(size, dot(a, b)) * dot(across, n) / max(size, 1e-30);
+/// The i-th of four corners, from p: of a quadrilateral, or of a tube's silhouette between the lines where planes through
+/// p touch it.
+fn light_corner(light: Light, p: vec3<f32>, i: u32) -> vec3<f32> {
+    if light.kind.x == LIGHT_TUBE {
+        // Across the axis the tube is a circle; the touching lines are nearer than its middle by r²/d, and to the sides by
+        // r √(1 − r²/d²).
+        let axis = normalize(light.b.xyz);
+        let to_middle = light.a.xyz - p;
+        let across = to_middle - dot(to_middle, axis) * axis;
+        let d = max(length(across), light.a.w * 1.0001);
+        let towards = across / d;
+        let part = light.a.w / d;
+        let sideways = cross(axis, towards) * (light.a.w * sqrt(max(1.0 - part * part, 0.0)));
+        let nearer = towards * (light.a.w * part);
+        let end = select(-1.0, 1.0, i == 1u || i == 2u);
+        let side = select(-1.0, 1.0, i >= 2u);
+        return to_middle - nearer + end * light.b.xyz + side * sideways;
+    }
+    return select(select(light.a.xyz, light.b.xyz, i == 1u), select(light.c.xyz, light.d.xyz, i == 3u), i >= 2u) - p;
 }

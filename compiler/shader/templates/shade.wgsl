@@ -1,9 +1,8 @@
 // Adds a light to the picture: what receivers send back of it to the eye, by how much of it they see.
 //
 // Theory: The reflected radiance is taken as the product of the unoccluded integral and the visible part,
-// L = (ρ/π E₀ + gloss) L_e V/V₀ (Bán, Bálint, Valasek 2019, eq. 2). The gloss is that of a representative direction, the
-// light's nearest to the mirror's (Karis, "Real Shading in Unreal Engine 4", 2013), with D lowered by the
-// light's size, so that a mirror shows the light's own radiance.
+// L = (ρ/π E₀ + gloss) L_e V/V₀ (Bán, Bálint, Valasek 2019, eq. 2). The gloss is what the lobe's linearly transformed cosine
+// comes to over the light's outline.
 
 @group(1) @binding(0) var<storage, read> receivers: array<Receiver>;
 @group(1) @binding(1) var<storage, read> lights: array<Light>;
@@ -38,17 +37,30 @@ fn reflected(receiver: Receiver, light: Light, irradiance: f32) -> vec3<f32> {
     if receiver.n.w < 0.0 {
         return receiver.color.rgb;
     }
+    if irradiance <= 0.0 {
+        return vec3<f32>(0.0);
+    }
     let surface = Surface(vec4<f32>(receiver.color.rgb, 1.0), vec4<f32>(receiver.color.w, receiver.n.w, 0.0, 0.0));
     let x = vertex_of(surface, receiver.n.xyz, normalize(view.eye.xyz - receiver.p.xyz));
-    let axis = light_bound(light, receiver.p.xyz).xyz;
-    let F = fresnel(x.f0, clamp(dot(normalize(axis + x.v), axis), 0.0, 1.0));
-    let body = (1.0 - F) * x.body / PI * irradiance;
+    let body = (1.0 - x.albedo) * x.body / PI * irradiance;
+    return (body + gloss_of_light(light, x, shadow_origin(receiver))) * light.radiance.rgb;
+}
 
-    // The lobe at the light's direction nearest to the mirror's, lowered by as much as the light widens it: half vectors
-    // of a light with the angular radius σ spread by σ/2.
-    let l = light_nearest(light, receiver.p.xyz, reflect(-x.v, x.n));
-    let solid_angle = irradiance / max(dot(x.n, l), 0.05);
-    let alpha2 = x.alpha * x.alpha;
-    let gloss = gloss_towards(x, l, 0.0) * solid_angle * alpha2 / (alpha2 + 0.25 * solid_angle / PI);
-    return (body + gloss) * light.radiance.rgb;
+/// What the interface sends to the eye of a light of radiance 1 of which all is seen.
+fn gloss_of_light(light: Light, x: Vertex, p: vec3<f32>) -> vec3<f32> {
+    if is_within_round(light, p) {
+        return x.albedo;
+    }
+    let share = lobe_share(light, x, p);
+    // Fresnel's term is that of the light's direction, and of the lobe's average where the light is all around.
+    let once = gloss_entry(sqrt(x.alpha), dot(x.n, x.v), 1u);
+    let grazing = pow(clamp(1.0 - dot(normalize(share.w + x.v), x.v), 0.0, 1.0), 5.0);
+    let F = x.f0 + (1.0 - x.f0) * mix(grazing, once.y / once.x, share.part);
+    return x.gain * F * once.x * share.part;
+}
+
+/// Whether p is within a sphere or a sun.
+fn is_within_round(light: Light, p: vec3<f32>) -> bool {
+    let is_round = light.kind.x == LIGHT_SPHERE || light.kind.x == LIGHT_SUN;
+    return is_round && light_bound(light, p).w >= 1.0;
 }

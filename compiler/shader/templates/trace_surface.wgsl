@@ -1,7 +1,9 @@
 // How a surface scatters light: a Lambertian body under a GGX interface.
 //
-// Theory: f = (1 − F) ρ/π + D V F with the distribution D of Trowbridge and Reitz (GGX), Smith's height-correlated
-// visibility V and Schlick's F. Directions of the interface are drawn from the visible normals (Heitz, "Sampling the
+// Theory: f = (1 − E) ρ/π + g D V F with the distribution D of Trowbridge and Reitz (GGX), Smith's height-correlated
+// visibility V and Schlick's F. What light loses between microfacets comes back by the gain g = 1 + F₀ (1/E₁ − 1), where E₁ is
+// the albedo of D V (Turquin, "Practical Multiple Scattering Compensation for Microfacet Models", 2019); the body
+// gets what the interface, whose albedo is E, doesn't send back. So a white surface sends back all that it gets. Directions of the interface are drawn from the visible normals (Heitz, "Sampling the
 // GGX Distribution of Visible Normals", JCGT 2018), so that a drawn direction weighs F G₂/G₁.
 // Changes: For a light of a given angular radius D is widened by it, so that a small and bright highlight
 // on a polished surface makes no isolated bright pixels.
@@ -18,6 +20,10 @@ struct Vertex {
     f0: vec3<f32>,
     /// GGX's α, the square of the roughness.
     alpha: f32,
+    /// What the interface sends back of a radiance of 1 from everywhere.
+    albedo: vec3<f32>,
+    /// By how much its lobe is brighter than after one reflection.
+    gain: vec3<f32>,
 }
 
 /// A direction that light comes from, and what of it the surface sends back.
@@ -32,11 +38,14 @@ fn vertex_of(surface: Surface, n: vec3<f32>, back: vec3<f32>) -> Vertex {
     // Seen at a grazing angle a normal may point away from the eye: turn the view into the surface's horizon.
     let cos_v = dot(n, back);
     let v = normalize(back + max(0.02 - cos_v, 0.0) * n);
-    let roughness = clamp(surface.finish.x, 0.03, 1.0);
+    let roughness = clamp(surface.finish.x, LEAST_ROUGHNESS, 1.0);
     let metallic = clamp(surface.finish.y, 0.0, 1.0);
     let color = clamp(surface.color.rgb, vec3<f32>(0.0), vec3<f32>(1.0));
     let f0 = mix(vec3<f32>(0.04), color, metallic);
-    return Vertex(n, v, (1.0 - metallic) * color, f0, roughness * roughness);
+    let once = gloss_entry(roughness, dot(n, v), 1u).xy;
+    let gain = 1.0 + f0 * (1.0 / max(once.x, 0.1) - 1.0);
+    let albedo = gain * (f0 * once.x + (1.0 - f0) * once.y);
+    return Vertex(n, v, (1.0 - metallic) * color, f0, roughness * roughness, albedo, gain);
 }
 
 fn fresnel(f0: vec3<f32>, cosine: f32) -> vec3<f32> {
@@ -53,8 +62,7 @@ fn smith(alpha: f32, cosine: f32) -> f32 {
 
 /// f · cos for light from l, itself of an angular radius.
 fn scatter_towards(x: Vertex, l: vec3<f32>, angular_radius: f32) -> vec3<f32> {
-    let F = fresnel(x.f0, dot(normalize(l + x.v), l));
-    return (1.0 - F) * x.body / PI * max(dot(x.n, l), 0.0) + gloss_towards(x, l, angular_radius);
+    return (1.0 - x.albedo) * x.body / PI * max(dot(x.n, l), 0.0) + gloss_towards(x, l, angular_radius);
 }
 
 /// The interface's part of that.
@@ -70,26 +78,26 @@ fn gloss_towards(x: Vertex, l: vec3<f32>, angular_radius: f32) -> vec3<f32> {
 
     let alpha = max(x.alpha, angular_radius);
     let a2 = alpha * alpha;
-    let spread = cos_h * cos_h * (a2 - 1.0) + 1.0;
+    let sine_h = cross(x.n, h);
+    let spread = a2 * cos_h * cos_h + dot(sine_h, sine_h);
     let D = a2 / (PI * spread * spread);
     let lambdas = cos_l * cos_v * (smith(alpha, cos_v) + smith(alpha, cos_l));
     let V = 0.5 / max(lambdas, 1e-4);
 
-    return D * V * F * cos_l;
+    return x.gain * D * V * F * cos_l;
 }
 
 /// Draws a direction: from the interface's lobe or from the body's, as `lobe` decides.
 fn scatter_drawn(x: Vertex, u: vec2<f32>, lobe: f32) -> Scattered {
     let cos_v = max(dot(x.n, x.v), 0.01);
-    let F_v = fresnel(x.f0, cos_v);
     let across = basis_across(x.n);
 
     // Choose a lobe in proportion to what it is about to reflect.
-    let interface_share = max(F_v.x, max(F_v.y, F_v.z));
+    let interface_share = max(x.albedo.x, max(x.albedo.y, x.albedo.z));
     let body_share = max(x.body.x, max(x.body.y, x.body.z)) * (1.0 - interface_share);
     let p_interface = interface_share / max(interface_share + body_share, 1e-4);
     if lobe >= p_interface {
-        return Scattered(cosine_drawn(x.n, u), (1.0 - F_v) * x.body / max(1.0 - p_interface, 1e-4), 1.0);
+        return Scattered(cosine_drawn(x.n, u), (1.0 - x.albedo) * x.body / max(1.0 - p_interface, 1e-4), 1.0);
     }
 
     // The interface: stretch the view, draw one of the normals that it sees, unstretch that.
@@ -108,5 +116,6 @@ fn scatter_drawn(x: Vertex, u: vec2<f32>, lobe: f32) -> Scattered {
     }
     let masking_v = smith(x.alpha, v.z);
     let G2_by_G1 = (1.0 + masking_v) / (masking_v + smith(x.alpha, l.z));
-    return Scattered(normalize(across * l), fresnel(x.f0, dot(h, l)) * G2_by_G1 / p_interface, sqrt(x.alpha));
+    let weight = x.gain * fresnel(x.f0, dot(h, l)) * G2_by_G1 / p_interface;
+    return Scattered(normalize(across * l), weight, sqrt(x.alpha));
 }

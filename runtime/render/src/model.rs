@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use chiaro_field::Graph;
-use chiaro_shader::{Template, bindings, splice};
+use chiaro_shader::{GLOSS_TABLE, Template, bindings, splice};
 use chiaro_solid::{Scalar, scalar::ParameterId};
 use chiaro_vocabulary::Bounds;
 use naga::Module;
@@ -49,6 +49,7 @@ pub(crate) struct Program {
     live: Vec<Scalar>,
     live_buffer: Option<Buffer>,
     tables: Option<Buffer>,
+    gloss: Option<Buffer>,
 }
 
 impl Model {
@@ -123,8 +124,15 @@ impl Program {
             gpu.queue.write_buffer(&rows, 0, bytemuck::cast_slice(&source.tables));
             tables = Some(rows);
         }
+        let mut gloss = None;
+        if source.module.global_variables.iter().any(|(_, variable)| variable.binding == Some(bindings::GLOSS)) {
+            shared.push((bindings::GLOSS.binding, Slot::Read));
+            let table = buffer(gpu, "gloss", Slot::Read, GLOSS_TABLE.len() as u64)?;
+            gpu.queue.write_buffer(&table, 0, GLOSS_TABLE);
+            gloss = Some(table);
+        }
         let kernel = Kernel::new(gpu, source.module, entry, &[&shared, own])?;
-        Ok(Self { kernel, live: source.live, live_buffer, tables })
+        Ok(Self { kernel, live: source.live, live_buffer, tables, gloss })
     }
 
     /// Sets the live numbers that the template reads.
@@ -150,6 +158,7 @@ impl Program {
             (bindings::VIEW.binding, view),
             (bindings::LIVE.binding, self.live_buffer.as_ref()),
             (bindings::TABLES.binding, self.tables.as_ref()),
+            (bindings::GLOSS.binding, self.gloss.as_ref()),
         ];
         let resources: Vec<(u32, BindingResource)> =
             bound.into_iter().filter_map(|(binding, buffer)| Some((binding, buffer?.as_entire_binding()))).collect();
