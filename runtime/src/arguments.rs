@@ -210,13 +210,23 @@ pub(crate) struct Compare {
     #[arg(long, short, value_name = "FOLDER", default_value = "comparison")]
     pub(crate) output: PathBuf,
 
-    /// Compare on the light suite too: five scenes with lights of radius 0.15, 0.4 and 0.9.
+    /// Compare on the light suite too: nine scenes under balls of radius 0.15, 0.4 and 0.9, three of them under
+    /// rectangles of 0.6x0.3 and 1.6x0.8 as well.
     #[arg(long)]
     pub(crate) suite: bool,
 
-    /// Like figure 4 of Bán, Bálint, Valasek 2019: the light suite at 1920x1080, with 35 and 100 random rays.
+    /// Like figure 4 of Bán, Bálint, Valasek 2019, with its numbers: the light suite at 1920x1080 under balls of radius
+    /// 0.25 and rectangles of 0.6x0.3, with 35 and 100 random rays.
     #[arg(long)]
     pub(crate) figure4: bool,
+
+    /// Of the suite, compare on these scenes only: primitives,fence.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub(crate) only: Vec<String>,
+
+    /// Set a top-level variable of the scenes, as in -D rectangle=true.
+    #[arg(short = 'D', value_name = "NAME=VALUE", value_parser = definition)]
+    pub(crate) definitions: Vec<(String, String)>,
 
     /// The methods, with the number of their cells or rays behind a colon: aaltonen,verified:8,monte-carlo:64.
     #[arg(long, value_name = "METHODS", value_delimiter = ',')]
@@ -226,8 +236,8 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "RADII", value_delimiter = ',', value_parser = positive)]
     pub(crate) radii: Vec<f64>,
 
-    /// By what lights are scaled instead.
-    #[arg(long = "scale", value_name = "FACTORS", value_delimiter = ',', default_value = "1", value_parser = positive)]
+    /// By what lights are scaled instead; as they are, if nothing is said.
+    #[arg(long = "scale", value_name = "FACTORS", value_delimiter = ',', value_parser = positive)]
     pub(crate) scales: Vec<f64>,
 
     /// Width and height in pixels.

@@ -6,53 +6,42 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail};
 use chiaro_compiler::Scene;
-use chiaro_compiler::shader::Shadows;
 use chiaro_render::{Gpu, LightRow, Lighting, Model, Receiver, Study, View};
 use indicatif::ProgressBar;
 
 use crate::arguments::{Compare, FacetPolicy, Global, MethodChoice, SceneArguments};
 use crate::commands::render::preference;
 use crate::comparison::metrics::{self, Answer};
-use crate::comparison::{Case, Entry, report};
+use crate::comparison::pictures::Pictures;
+use crate::comparison::{Case, Entry, Group, report, suite};
 use crate::{compile, images, terminal};
-
-/// The light suite, so that `--suite` works wherever the command is.
-const SUITE: [(&str, &str); 5] = [
-    ("primitives", include_str!("../../../examples_csg/light/primitives.csg")),
-    ("temple", include_str!("../../../examples_csg/light/temple.csg")),
-    ("fence", include_str!("../../../examples_csg/light/fence.csg")),
-    ("row", include_str!("../../../examples_csg/light/row.csg")),
-    ("bounds", include_str!("../../../examples_csg/light/bounds.csg")),
-];
-/// The radii of the suite's lights, and the size of its pictures; and those of the paper's figure 4.
-const SUITE_RADII: [f64; 3] = [0.15, 0.4, 0.9];
-const FIGURE_RADIUS: f64 = 0.25;
-const FIGURE_SIZE: (u32, u32) = (1920, 1080);
 
 pub(crate) fn run(arguments: &Compare, global: &Global) -> Result<ExitCode> {
     let folder = prepared(&arguments.output)?;
     let gpu = Gpu::new(&preference(&arguments.adapter))?;
-    let suite = tempfile::tempdir().context("cannot make a temporary folder")?;
-    let files = scene_files(arguments, suite.path())?;
-    let methods = arguments.methods();
+    let temporary = tempfile::tempdir().context("cannot make a temporary folder")?;
+    let subjects = subjects(arguments, temporary.path())?;
 
     let mut cases = Vec::new();
-    for file in &files {
-        let scene = SceneArguments { file: file.clone(), definitions: Vec::new(), facets: FacetPolicy::Auto };
-        let compilation = compile::compilation(&scene, global)?;
-        let Some(scene) = &compilation.scene else { return Ok(ExitCode::FAILURE) };
-        let mut subject = Subject::new(&gpu, scene, file, arguments)?;
+    for (scene, group) in &subjects {
+        let compilation = compile::compilation(scene, global)?;
+        let Some(solid) = &compilation.scene else { return Ok(ExitCode::FAILURE) };
+        let mut subject = Subject::new(&gpu, solid, &scene.file, *group, arguments)?;
         subject.write_receivers(&folder)?;
+        let methods = arguments.methods(*group);
         let lights = subject.lights(arguments);
-        let progress = terminal::progress(global, lights.len() as u64 * (methods.len() as u64 + 1), "methods");
+        let progress = terminal::progress(global, lights.len() as u64 * (methods.len() as u64 + 1), &subject.name);
         for (name, light) in lights {
-            cases.push(subject.case(name, &light, &methods, arguments, &progress)?);
+            let place = Place { folder: &folder, index: cases.len() };
+            cases.push(subject.case(name, &light, &methods, arguments, &place, &progress)?);
+            // Whoever waits for hours can look, and keeps what there is if it is stopped.
+            report::write(&folder, &cases, &gpu.description().name)?;
         }
         progress.finish_and_clear();
     }
-    report::write(&folder, &cases, &gpu.description().name)?;
     if !global.quiet {
-        std::io::stdout().write_all(report::table(&report::means(&cases)).as_bytes())?;
+        let tables: Vec<String> = report::summaries(&cases).iter().map(report::table).collect();
+        std::io::stdout().write_all(tables.join("\n").as_bytes())?;
     }
     terminal::note(global, &format!("the report is {}", folder.join("index.html").display()));
     Ok(ExitCode::SUCCESS)
@@ -70,45 +59,63 @@ fn prepared(folder: &Path) -> Result<PathBuf> {
     Ok(folder.to_owned())
 }
 
-fn scene_files(arguments: &Compare, folder: &Path) -> Result<Vec<PathBuf>> {
-    let mut files = arguments.scenes.clone();
-    if arguments.suite || arguments.figure4 {
-        for (name, text) in SUITE {
-            let file = folder.join(format!("{name}.csg"));
-            std::fs::write(&file, text).with_context(|| format!("cannot write {}", file.display()))?;
-            files.push(file);
+/// What is compared on: the scenes that are named, and those of the suite, which are written into a folder.
+fn subjects(arguments: &Compare, folder: &Path) -> Result<Vec<(SceneArguments, Group)>> {
+    let scene = |file: &Path, definitions: Vec<(String, String)>| SceneArguments {
+        file: file.to_owned(),
+        definitions,
+        facets: FacetPolicy::Auto,
+    };
+    let mut subjects: Vec<(SceneArguments, Group)> =
+        arguments.scenes.iter().map(|file| (scene(file, arguments.definitions.clone()), Group::Own)).collect();
+    for member in arguments.suite_scenes()? {
+        let file = folder.join(format!("{}.csg", member.name));
+        std::fs::write(&file, member.text).with_context(|| format!("cannot write {}", file.display()))?;
+        for group in member.groups() {
+            let mut definitions = arguments.definitions.clone();
+            if group == Group::Rectangles {
+                definitions.push(("rectangle".to_owned(), "true".to_owned()));
+            }
+            subjects.push((scene(&file, definitions), group));
         }
     }
-    if files.is_empty() {
+    if subjects.is_empty() {
         bail!("name scenes to compare the methods on, or ask for the light suite with --suite");
     }
-    Ok(files)
+    Ok(subjects)
 }
 
 impl Compare {
     fn size(&self) -> (u32, u32) {
-        if self.figure4 { FIGURE_SIZE } else { self.size }
+        if self.figure4 { suite::FIGURE_SIZE } else { self.size }
     }
 
-    fn methods(&self) -> Vec<MethodChoice> {
-        if !self.methods.is_empty() {
-            return self.methods.clone();
-        }
-        let with =
-            |method, cells: &[u32]| cells.iter().map(move |&cells| MethodChoice { method, cells }).collect::<Vec<_>>();
-        let rays: &[u32] = if self.figure4 { &[35, 100] } else { &[16, 64] };
-        let single = Shadows::ALL.into_iter().filter(|method| !method.has_cells());
-        let mut methods: Vec<MethodChoice> = single.flat_map(|method| with(method, &[1])).collect();
-        methods.extend(with(Shadows::Verified, &[1, 4, 8, 12, 19, 37]));
-        methods.extend(with(Shadows::Proxy, rays));
-        methods.extend(with(Shadows::MonteCarlo, rays));
-        methods
+    fn methods(&self, group: Group) -> Vec<MethodChoice> {
+        if self.methods.is_empty() { suite::methods(group, self.figure4) } else { self.methods.clone() }
     }
+
+    /// The suite's scenes that are asked for.
+    fn suite_scenes(&self) -> Result<Vec<&'static suite::SuiteScene>> {
+        if let Some(unknown) = self.only.iter().find(|name| suite::SUITE.iter().all(|scene| scene.name != **name)) {
+            let names: Vec<&str> = suite::SUITE.iter().map(|scene| scene.name).collect();
+            bail!("the suite has no scene {unknown}; it has {}", names.join(", "));
+        }
+        let is_asked = |scene: &&suite::SuiteScene| self.only.is_empty() || self.only.iter().any(|n| n == scene.name);
+        let is_whole = self.suite || self.figure4 || !self.only.is_empty();
+        Ok(suite::SUITE.iter().filter(is_asked).filter(|_| is_whole).collect())
+    }
+}
+
+/// Where a case's pictures go.
+struct Place<'a> {
+    folder: &'a Path,
+    index: usize,
 }
 
 /// A scene whose pixels are being lit.
 struct Subject {
     name: String,
+    group: Group,
     size: (u32, u32),
     study: Study,
     receivers: Vec<Receiver>,
@@ -116,7 +123,7 @@ struct Subject {
 }
 
 impl Subject {
-    fn new(gpu: &Gpu, scene: &Scene, file: &Path, arguments: &Compare) -> Result<Self> {
+    fn new(gpu: &Gpu, scene: &Scene, file: &Path, group: Group, arguments: &Compare) -> Result<Self> {
         let values = scene.defaults();
         let size = arguments.size();
         let model = Model::new(gpu, &scene.picture(), &values)?;
@@ -129,7 +136,7 @@ impl Subject {
         let study = Study::new(gpu, &model, view, [size.0, size.1])?;
         let receivers = study.receivers()?;
         let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        Ok(Self { name, size, study, receivers, lighting })
+        Ok(Self { name, group, size, study, receivers, lighting })
     }
 
     /// Where the pixels' surfaces are, and how they face, so that others can check the truth.
@@ -148,10 +155,16 @@ impl Subject {
 
     /// The scene's lights in the sizes asked for, with what to call them.
     fn lights(&self, arguments: &Compare) -> Vec<(String, LightRow)> {
-        let radii: &[f64] = match (&*arguments.radii, arguments.figure4, arguments.suite) {
-            ([], true, _) => &[FIGURE_RADIUS],
-            ([], false, true) => &SUITE_RADII,
-            (radii, ..) => radii,
+        let is_figure = arguments.figure4;
+        let radii: &[f64] = match (&*arguments.radii, self.group) {
+            ([], _) if is_figure => &[suite::FIGURE_RADIUS],
+            ([], Group::Basic | Group::Hard) => &suite::RADII,
+            (radii, _) => radii,
+        };
+        let scales: &[f64] = match (&*arguments.scales, self.group) {
+            ([], Group::Rectangles) if !is_figure => &suite::RECTANGLE_SCALES,
+            ([], _) => &[1.0],
+            (scales, _) => scales,
         };
         let many = self.lighting.lights.len() > 1;
         let mut lights = Vec::new();
@@ -161,9 +174,10 @@ impl Subject {
                 Some(radius) if !radii.is_empty() => {
                     lights.extend(radii.iter().map(|r| (format!("{name}, radius {r}"), source.row.scaled(r / radius))));
                 }
-                _ => lights.extend(arguments.scales.iter().map(|scale| {
-                    let name = if arguments.scales.len() > 1 { format!("{name}, × {scale}") } else { name.clone() };
-                    (name, source.row.scaled(*scale))
+                _ => lights.extend(scales.iter().map(|scale| {
+                    let lit = if self.group == Group::Rectangles { ", rectangle" } else { "" };
+                    let times = if scales.len() > 1 { format!(" × {scale:.2}") } else { String::new() };
+                    (format!("{name}{lit}{times}"), source.row.scaled(*scale))
                 })),
             }
         }
@@ -176,6 +190,7 @@ impl Subject {
         light: &LightRow,
         methods: &[MethodChoice],
         arguments: &Compare,
+        place: &Place,
         progress: &ProgressBar,
     ) -> Result<Case> {
         let mask: Vec<bool> = self.receivers.iter().map(|receiver| receiver.offset >= 0.0).collect();
@@ -187,6 +202,9 @@ impl Subject {
         progress.inc(1);
         let shade = self.shade(light, &truth.irradiance);
         let visible_truth = masked(&truth.visible);
+        let Place { folder, index } = *place;
+        let pictures = Pictures { folder, index, size: self.size, mask: &mask, shade: &shade };
+        pictures.write("truth", &visible_truth)?;
         let mut entries = Vec::new();
         for choice in methods {
             let outcome = self.study.run(choice.method, choice.cells, light)?;
@@ -197,17 +215,20 @@ impl Subject {
                 milliseconds: 1e3 * outcome.time.as_secs_f64(),
             };
             let (score, map) = metrics::score(self.size.0 as usize, &mask, &visible_truth, &shade, &answer);
-            entries.push(Entry { method: choice.to_string(), visible, map, score });
+            let method = choice.to_string();
+            pictures.write(&method, &visible)?;
+            pictures.write_map(&method, &map)?;
+            entries.push(Entry { method, score });
             progress.inc(1);
         }
         Ok(Case {
             name,
+            scene: self.name.clone(),
+            group: self.group,
             size: self.size,
-            mask,
-            truth: visible_truth,
-            shade,
             half_width: truth.half_width,
             samples: truth.samples,
+            mean_samples: truth.mean_samples,
             entries,
         })
     }

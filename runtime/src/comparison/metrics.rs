@@ -31,6 +31,26 @@ pub(crate) struct Score {
     pub(crate) milliseconds: f64,
 }
 
+impl Score {
+    /// The mean of each number.
+    pub(crate) fn mean(scores: &[Self]) -> Self {
+        let of = |value: fn(&Self) -> f64| scores.iter().map(value).sum::<f64>() / scores.len().max(1) as f64;
+        Self {
+            ssim: of(|s| s.ssim),
+            ssim_deviation: of(|s| s.ssim_deviation),
+            shaded: of(|s| s.shaded),
+            shaded_deviation: of(|s| s.shaded_deviation),
+            penumbra: of(|s| s.penumbra),
+            rmse: of(|s| s.rmse),
+            bias: of(|s| s.bias),
+            most: of(|s| s.most),
+            evaluations: of(|s| s.evaluations),
+            evaluations_95: of(|s| s.evaluations_95),
+            milliseconds: of(|s| s.milliseconds),
+        }
+    }
+}
+
 /// What a method answered.
 pub(crate) struct Answer<'a> {
     pub(crate) visible: &'a [f32],
@@ -78,7 +98,7 @@ pub(crate) fn shaded(mask: &[bool], visible: &[f32], shade: &[f32]) -> Vec<f32> 
 }
 
 /// Mean and standard deviation.
-pub(crate) fn moments(values: impl Iterator<Item = f32> + Clone) -> (f64, f64) {
+fn moments(values: impl Iterator<Item = f32> + Clone) -> (f64, f64) {
     let count = values.clone().count().max(1) as f64;
     let mean = values.clone().map(f64::from).sum::<f64>() / count;
     let variance = values.map(|x| (f64::from(x) - mean).powi(2)).sum::<f64>() / count;
