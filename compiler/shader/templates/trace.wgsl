@@ -22,8 +22,6 @@ const RECEIVERS_ONLY: u32 = 1u;
 const MAX_SEGMENTS: u32 = 16u;
 /// How many surfaces a path meets.
 const MAX_DEPTH: u32 = 2u;
-/// The edge of the prepass's finest tiles.
-const START_EDGE: u32 = 4u;
 /// Behind the first surface none counts as smoother than this, or few bright paths would be seen as dots.
 const LAST_ROUGHNESS: f32 = 0.6;
 /// How much of the sky reaches a path's last surface, at a guess.

@@ -12,6 +12,8 @@ const RELAXATION: f32 = 0.3;
 /// Of one segment; few grazing rays come near it. lavapipe ends all loops of an invocation together after 65535 rounds,
 /// those within the scene's distance included.
 const MAX_STEPS: u32 = 1500u;
+/// The edge of the prepass's finest tiles.
+const START_EDGE: u32 = 4u;
 /// A hit is nearer to the surface than this part of a pixel.
 const HIT: f32 = 0.01;
 

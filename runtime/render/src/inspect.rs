@@ -17,8 +17,9 @@ use crate::gpu::Gpu;
 use crate::kernel::{Slot, buffer, workgroups};
 use crate::model::{Model, Program, Source};
 use crate::parts::Parts;
+use crate::picture::{levels, tiles};
 use crate::stopwatch::Stopwatch;
-use crate::uniform::{Level, Studio, ViewUniform};
+use crate::uniform::{Studio, ViewUniform};
 use crate::view::View;
 
 pub use legend::{Legend, Mark};
@@ -87,6 +88,8 @@ struct Screen {
     normals: Buffer,
     evaluations: Buffer,
     sections: Buffer,
+    /// The prepass's depths.
+    starts: Buffer,
     /// Where pixels see a surface, once somebody asked.
     seen: Option<Vec<[f32; 4]>>,
 }
@@ -98,6 +101,8 @@ struct Look {
     size: [u32; 2],
     cut: Option<Plane>,
     parameters: Vec<f64>,
+    /// Whether rays start where the prepass ended.
+    prepass: bool,
 }
 
 /// What the largest buffer takes for each pixel.
@@ -119,7 +124,8 @@ impl Inspection {
 impl Inspector {
     /// Compiles what all inspections of a model share; the rest is compiled when it is first asked for.
     pub fn new(gpu: &Gpu, model: &Model) -> Result<Self> {
-        let slots = [(0, Slot::Read), (1, Slot::ReadWrite), (2, Slot::ReadWrite), (3, Slot::ReadWrite)];
+        let own = [(1, Slot::ReadWrite), (2, Slot::ReadWrite), (3, Slot::ReadWrite)];
+        let slots = [&[(0, Slot::Read)], &own[..], &[(4, Slot::Read)]].concat();
         let source = Source::of(&model.graph, Template::Inspect(Inspect::Surface))?;
         Ok(Self {
             gpu: gpu.clone(),
@@ -157,7 +163,8 @@ impl Inspector {
         goes_on: &dyn Fn() -> bool,
     ) -> Result<Option<Drawing>> {
         self.time = Duration::ZERO;
-        if !self.look_while(view, size, inspection.plane(), goes_on)? {
+        let prepass = *inspection != Inspection::Evaluations;
+        if !self.see(view, size, inspection.plane(), prepass, goes_on)? {
             return Ok(None);
         }
         let drawing = match inspection {
@@ -194,7 +201,18 @@ impl Inspector {
         cut: Option<Plane>,
         goes_on: &dyn Fn() -> bool,
     ) -> Result<bool> {
-        let look = Look { view, size, cut, parameters: self.model.parameters() };
+        self.see(view, size, cut, true, goes_on)
+    }
+
+    fn see(
+        &mut self,
+        view: View,
+        size: [u32; 2],
+        cut: Option<Plane>,
+        prepass: bool,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<bool> {
+        let look = Look { view, size, cut, parameters: self.model.parameters(), prepass };
         if self.screen.as_ref().is_some_and(|screen| screen.look == look) {
             return Ok(true);
         }
@@ -209,11 +227,13 @@ impl Inspector {
             (1, screen.positions.as_entire_binding()),
             (2, screen.normals.as_entire_binding()),
             (3, screen.evaluations.as_entire_binding()),
+            (4, screen.starts.as_entire_binding()),
         ];
         let groups =
             [self.surface.bind_shared(&self.gpu, Some(&self.view))?, self.surface.kernel.bind(&self.gpu, 1, &own)?];
-        let Some(took) = self.run(&self.surface, &groups, view, size, goes_on)? else { return Ok(false) };
-        self.time += took;
+        let free = if prepass { self.run_prepass(&screen)? } else { Duration::ZERO };
+        let Some(took) = self.run(&self.surface, &groups, &screen.look, goes_on)? else { return Ok(false) };
+        self.time += free + took;
         self.screen = Some(screen);
         Ok(true)
     }
@@ -279,7 +299,7 @@ impl Inspector {
         program.set_parameters(&self.gpu, &screen.look.parameters)?;
         let own = [(0, self.cut.as_entire_binding()), (1, screen.sections.as_entire_binding())];
         let groups = [program.bind_shared(&self.gpu, Some(&self.view))?, program.kernel.bind(&self.gpu, 1, &own)?];
-        let took = self.run(program, &groups, screen.look.view, screen.look.size, goes_on)?;
+        let took = self.run(program, &groups, &screen.look, goes_on)?;
         let Some(took) = took else { return Ok(None) };
         let sections = pod_collect_to_vec(&self.gpu.read(&screen.sections)?);
         self.time += took;
@@ -308,22 +328,44 @@ impl Inspector {
         Ok(classes)
     }
 
+    /// Finds where rays may start.
+    fn run_prepass(&self, screen: &Screen) -> Result<Duration> {
+        let (program, look) = (&self.model.prepass, &screen.look);
+        program.set_parameters(&self.gpu, &look.parameters)?;
+        let own = [(0, screen.starts.as_entire_binding())];
+        let groups = [program.bind_shared(&self.gpu, Some(&self.view))?, program.kernel.bind(&self.gpu, 1, &own)?];
+        let mut took = Duration::ZERO;
+        let mut before = None;
+        for level in levels(look.size) {
+            let uniform = self.uniform(look).at_level(level, before, true);
+            self.gpu.queue.write_buffer(&self.view, 0, bytemuck::bytes_of(&uniform));
+            let tiles = workgroups(look.size.map(|edge| edge.div_ceil(level.edge)));
+            took += program.kernel.run(&self.gpu, &self.stopwatch, &groups.each_ref(), tiles)?;
+            before = Some(level);
+        }
+        Ok(took)
+    }
+
+    fn uniform(&self, look: &Look) -> ViewUniform {
+        let studio = Studio { floor: None, azimuth: 0.0 };
+        ViewUniform::new(&look.view, &self.model.bounds, self.model.lipschitz, studio, look.size)
+    }
+
     /// Runs a program for each pixel, part by part, as long as `goes_on` says so; none if it said no.
     fn run(
         &self,
         program: &Program,
         groups: &[BindGroup; 2],
-        view: View,
-        size: [u32; 2],
+        look: &Look,
         goes_on: &dyn Fn() -> bool,
     ) -> Result<Option<Duration>> {
-        let studio = Studio { floor: None, azimuth: 0.0 };
-        let uniform = ViewUniform::new(&view, &self.model.bounds, self.model.lipschitz, studio, size);
-        let mut parts = Parts::new(size);
+        let levels = levels(look.size);
+        let (uniform, finest) = (self.uniform(look), levels[levels.len() - 1]);
+        let mut parts = Parts::new(look.size);
         let mut took = Duration::ZERO;
         while goes_on() {
             let part = parts.current();
-            let of_part = uniform.at_sample(0, part, Level { edge: 1, first: 0 }, false);
+            let of_part = uniform.at_sample(0, part, finest, look.prepass);
             self.gpu.queue.write_buffer(&self.view, 0, bytemuck::bytes_of(&of_part));
             let of_part = program.kernel.run(&self.gpu, &self.stopwatch, &groups.each_ref(), workgroups(part.size))?;
             took += of_part;
@@ -355,8 +397,10 @@ impl Screen {
             return Err(Error::PictureSize { width, height, longest_edge, most_pixels });
         }
         let rows = |what, bytes| buffer(gpu, what, Slot::ReadWrite, bytes * pixels);
+        let tiles: u64 = levels(look.size).iter().map(|level| tiles(look.size, level.edge)).sum();
         Ok(Self {
             look,
+            starts: buffer(gpu, "starting depths", Slot::ReadWrite, 8 * tiles)?,
             positions: rows("positions", BYTES_PER_PIXEL)?,
             normals: rows("normals", BYTES_PER_PIXEL)?,
             evaluations: rows("evaluations", 4)?,

@@ -22,7 +22,7 @@ use crate::view::View;
 /// What the largest buffer of a picture takes for each pixel.
 pub(crate) const BYTES_PER_PIXEL: u64 = 16;
 
-/// The edges in pixels of the prepass's tiles, from coarse to fine; the last is `START_EDGE` of `trace.wgsl`.
+/// The edges in pixels of the prepass's tiles, from coarse to fine; the last is `START_EDGE` of `trace_meet.wgsl`.
 const LEVEL_EDGES: [u32; 2] = [16, 4];
 
 /// A picture of a model from a view. It starts black; every sample adds a path of light for each pixel.
@@ -414,7 +414,7 @@ impl Buffers {
 }
 
 /// The levels of the prepass, stored one behind the other.
-fn levels(size: [u32; 2]) -> Vec<Level> {
+pub(crate) fn levels(size: [u32; 2]) -> Vec<Level> {
     let mut first = 0;
     LEVEL_EDGES
         .iter()
@@ -426,6 +426,6 @@ fn levels(size: [u32; 2]) -> Vec<Level> {
         .collect()
 }
 
-fn tiles(size: [u32; 2], edge: u32) -> u64 {
+pub(crate) fn tiles(size: [u32; 2], edge: u32) -> u64 {
     u64::from(size[0].div_ceil(edge)) * u64::from(size[1].div_ceil(edge))
 }
