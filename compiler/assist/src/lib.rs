@@ -9,8 +9,9 @@
 //! | in which colours? | [`highlight`] |
 //! | which bracket belongs to this one? | [`brackets`] |
 //! | what could be written here? | [`complete`] |
+//! | what does this call take? | [`call_hint`] |
 //! | what is this? | [`hover`] |
-//! | where is this defined, where used? | [`definition`], [`definition_in`], [`references`] |
+//! | where is this defined, where used? | [`definition`], [`definition_in`], [`references`], [`rename`] |
 //! | how is it written well? | [`format()`] |
 //! | how is this mended? | [`quick_fixes`] |
 //! | which numbers are here, and how do they move? | [`numbers`], [`scrub`], [`literals_of_call`] |
@@ -19,6 +20,7 @@
 pub mod manual;
 
 mod brackets;
+mod call_hint;
 mod calls;
 mod complete;
 mod describe;
@@ -40,6 +42,7 @@ mod tests;
 mod words;
 
 pub use brackets::brackets;
+pub use call_hint::{CallHint, call_hint};
 pub use complete::{Completion, CompletionKind, Completions, complete, complete_in};
 pub use edit::{Edit, apply};
 pub use fixes::{Fix, quick_fixes};
@@ -47,7 +50,7 @@ pub use format::format;
 pub use highlight::{Highlight, Kind, highlight};
 pub use hover::{Hover, hover};
 pub use literals::{CallArgument, Literal, literals_of_call};
-pub use navigate::{Place, definition, definition_in, references};
+pub use navigate::{Place, definition, definition_in, references, rename};
 pub use numbers::{NumberLiteral, numbers, scrub};
 pub use parameters::{Choice, Control, Group, Parameter, parameters, set_parameter};
 

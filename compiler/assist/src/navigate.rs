@@ -3,9 +3,12 @@
 use std::ops::Range;
 
 use chiaro_eval::World;
+use chiaro_syntax::TokenKind;
 use rustc_hash::FxHashSet;
 
+use crate::edit::Edit;
 use crate::index::{Index, Namespace, Occurrence, Role};
+use crate::tokens;
 
 /// The most other files that are looked through.
 const MOST_FILES: usize = 500;
@@ -56,6 +59,25 @@ pub fn references(text: &str, offset: usize) -> Vec<Range<usize>> {
     let mut found: Vec<_> = index.occurrences.iter().filter(is_same).map(|other| other.range.clone()).collect();
     found.dedup();
     found
+}
+
+/// The edits that give the thing at an offset another name, everywhere in this text. None, if it is not this text's own, if
+/// that is no name, or if something else is called that there.
+pub fn rename(text: &str, offset: usize, name: &str) -> Option<Vec<Edit>> {
+    let index = Index::of(text);
+    let meant = index.at(offset)?.definition?;
+    let namespace = index.definitions[meant].what.namespace();
+    let is_name =
+        matches!(tokens(name)[..], [token] if token.kind == TokenKind::Name && token.range() == (0..name.len()));
+    let is_taken = index
+        .occurrences
+        .iter()
+        .any(|other| *other.name == *name && other.definition != Some(meant) && other.role == Role::Of(namespace));
+    if !is_name || is_taken {
+        return None;
+    }
+    let edit = |range| Edit { range, text: name.to_owned() };
+    Some(references(text, offset).into_iter().map(edit).collect())
 }
 
 /// Another file, that what is being written can use.
@@ -122,6 +144,7 @@ fn global(index: &Index, occurrence: &Occurrence, with_variables: bool) -> Optio
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::edit::apply;
     use crate::testing::{Files, caret};
 
     /// The place that the name at `|` is defined at, with a `^` in the text.
@@ -172,6 +195,21 @@ mod tests {
         let (text, offset) = caret("r = 1; module m(r|) sphere(r = r); m(r = r); sphere(r);");
         let starts: Vec<_> = references(&text, offset).into_iter().map(|range| range.start).collect();
         assert_eq!(starts, [16, 30, 36]);
+    }
+
+    #[test]
+    fn renaming_changes_every_mention() {
+        let renamed = |text: &str, name: &str| {
+            let (text, offset) = caret(text);
+            rename(&text, offset, name).map(|edits| apply(&text, &edits))
+        };
+        let text = "module m(r|) sphere(r = r); r = 1; m(r = r);";
+        assert_eq!(renamed(text, "size").as_deref(), Some("module m(size) sphere(r = size); r = 1; m(size = r);"));
+        for name in ["", "2 x", "module", "a b", "1"] {
+            assert_eq!(renamed(text, name), None, "{name}");
+        }
+        assert_eq!(renamed("a| = 1; b = a; c = b;", "b"), None);
+        assert_eq!(renamed("cu|be(1);", "b"), None);
     }
 
     #[test]

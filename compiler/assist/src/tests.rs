@@ -20,6 +20,13 @@ fn ask(text: &str, offset: usize) {
     for item in &completions.items {
         assert!(item.insert.get(item.caret..).is_some(), "the caret in {}", item.insert);
     }
+    if let Some(hint) = call_hint(text, offset) {
+        assert!(hint.active.is_none_or(|range| hint.signature.get(range).is_some()));
+    }
+    if let Some(edits) = rename(text, offset, "an_unheard_of_name") {
+        let renamed = apply(text, &edits);
+        assert_eq!(tokens(&renamed).len(), tokens(text).len(), "renaming at {offset} of {text:?}");
+    }
     if let Some(hover) = hover(text, offset) {
         lies_inside(hover.range, "what is hovered over");
         assert!(!hover.title.is_empty());
