@@ -63,6 +63,8 @@ pub struct Truth {
     /// The irradiance per radiance if nothing covered the light, in closed form.
     pub irradiance: Vec<f32>,
     /// What half the 95 % confidence interval of V is at most, but for one in a hundred of the receivers in penumbrae.
+    /// Of flat lights and tubes, V is weighed by the irradiance as part of the picture's greatest: at a terminator,
+    /// where hardly any light arrives, V itself means nothing.
     pub half_width: f64,
     /// How many rays each receiver has drawn that is near a penumbra.
     pub samples: u32,
@@ -132,12 +134,24 @@ impl Estimate {
     }
 
     /// The half width that all but one in a hundred of the receivers in penumbrae keep to.
-    fn worst_half_width(estimates: &[Self]) -> f64 {
-        let in_penumbra = |estimate: &&Self| estimate.mean() > 0.0 && estimate.mean() < 1.0;
-        let mut half_widths: Vec<f64> = estimates.iter().filter(in_penumbra).map(Self::half_width).collect();
+    fn worst_half_width(estimates: &[Self], weights: &[f64]) -> f64 {
+        let in_penumbra = |(estimate, _): &(&Self, &f64)| estimate.mean() > 0.0 && estimate.mean() < 1.0;
+        let mut half_widths: Vec<f64> = estimates
+            .iter()
+            .zip(weights)
+            .filter(in_penumbra)
+            .map(|(estimate, weight)| weight * estimate.half_width())
+            .collect();
         half_widths.sort_by(f64::total_cmp);
         half_widths.get(half_widths.len() * 99 / 100).copied().unwrap_or(0.0)
     }
+}
+
+/// How much an error of V matters: where V counts by irradiance, as much as there is of it.
+fn weights(light: &LightRow, irradiance: &[f32]) -> Vec<f64> {
+    let most = irradiance.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
+    let is_round = light.round_solid_angle([0.0; 3]).is_some();
+    irradiance.iter().map(|e| if is_round { 1.0 } else { f64::from(e / most) }).collect()
 }
 
 /// Which receivers see part of a light only, or have a neighbour that does or that sees otherwise.
@@ -251,7 +265,7 @@ impl Study {
                 self.keep(&active, receivers);
             }
             of_each += batch;
-            truth.half_width = Estimate::worst_half_width(&estimates);
+            truth.half_width = Estimate::worst_half_width(&estimates, &weights(light, &truth.irradiance));
             truth.samples = of_each * SEQUENCES;
             // A sequence has 65536 rays.
             if truth.half_width <= half_width || 2 * truth.samples > most_samples || of_each >= 1 << 15 {

@@ -11,7 +11,7 @@ use indicatif::ProgressBar;
 
 use crate::arguments::{Compare, FacetPolicy, Global, MethodChoice, SceneArguments};
 use crate::commands::render::preference;
-use crate::comparison::metrics::{self, Answer};
+use crate::comparison::metrics::{self, Answer, Reference};
 use crate::comparison::pictures::Pictures;
 use crate::comparison::{Case, Entry, Group, report, suite};
 use crate::{compile, images, terminal};
@@ -205,6 +205,13 @@ impl Subject {
         let Place { folder, index } = *place;
         let pictures = Pictures { folder, index, size: self.size, mask: &mask, shade: &shade };
         pictures.write("truth", &visible_truth)?;
+        let reference = Reference {
+            width: self.size.0 as usize,
+            mask: &mask,
+            truth: &visible_truth,
+            shade: &shade,
+            by_irradiance: light.round_solid_angle([0.0; 3]).is_none(),
+        };
         let mut entries = Vec::new();
         for choice in methods {
             let outcome = self.study.run(choice.method, choice.cells, light)?;
@@ -214,7 +221,7 @@ impl Subject {
                 evaluations: &outcome.evaluations,
                 milliseconds: 1e3 * outcome.time.as_secs_f64(),
             };
-            let (score, map) = metrics::score(self.size.0 as usize, &mask, &visible_truth, &shade, &answer);
+            let (score, map) = metrics::score(&reference, &answer);
             let method = choice.to_string();
             pictures.write(&method, &visible)?;
             pictures.write_map(&method, &map)?;

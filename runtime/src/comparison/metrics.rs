@@ -51,6 +51,27 @@ impl Score {
     }
 }
 
+/// What methods are compared with.
+pub(crate) struct Reference<'a> {
+    pub(crate) width: usize,
+    /// Which pixels see a surface.
+    pub(crate) mask: &'a [bool],
+    /// The true V.
+    pub(crate) truth: &'a [f32],
+    /// What V is multiplied by in the shaded picture, from 0 to 1.
+    pub(crate) shade: &'a [f32],
+    /// Whether V counts by irradiance: it is weighed by `shade` then, for at a terminator, where hardly any light
+    /// arrives, what part of it is seen means nothing.
+    pub(crate) by_irradiance: bool,
+}
+
+impl Reference<'_> {
+    fn weighed(&self, visible: &[f32]) -> Vec<f32> {
+        let weight = |pixel: usize| if self.by_irradiance && self.mask[pixel] { self.shade[pixel] } else { 1.0 };
+        visible.iter().enumerate().map(|(pixel, v)| v * weight(pixel)).collect()
+    }
+}
+
 /// What a method answered.
 pub(crate) struct Answer<'a> {
     pub(crate) visible: &'a [f32],
@@ -59,8 +80,10 @@ pub(crate) struct Answer<'a> {
 }
 
 /// Scores an answer; also answers its map of local SSIM.
-pub(crate) fn score(width: usize, mask: &[bool], truth: &[f32], shade: &[f32], answer: &Answer) -> (Score, Vec<f32>) {
-    let map = ssim::map(width, answer.visible, truth);
+pub(crate) fn score(reference: &Reference, answer: &Answer) -> (Score, Vec<f32>) {
+    let Reference { width, mask, truth, shade, .. } = *reference;
+    let (visible, truth_weighed) = (reference.weighed(answer.visible), reference.weighed(truth));
+    let map = ssim::map(width, &visible, &truth_weighed);
     let shaded = ssim::map(width, &shaded(mask, answer.visible, shade), &shaded(mask, truth, shade));
     let (ssim, ssim_deviation) = moments(map.iter().copied());
     let (shaded, shaded_deviation) = moments(shaded.iter().copied());
@@ -68,7 +91,7 @@ pub(crate) fn score(width: usize, mask: &[bool], truth: &[f32], shade: &[f32], a
     let (penumbra, _) = moments(map.iter().zip(&near).filter(|(_, near)| **near).map(|(s, _)| *s));
 
     let seen = || mask.iter().enumerate().filter(|(_, seen)| **seen).map(|(pixel, _)| pixel);
-    let errors: Vec<f64> = seen().map(|pixel| f64::from(answer.visible[pixel] - truth[pixel])).collect();
+    let errors: Vec<f64> = seen().map(|pixel| f64::from(visible[pixel] - truth_weighed[pixel])).collect();
     let count = errors.len().max(1) as f64;
     let mut evaluations: Vec<f64> = seen().map(|pixel| f64::from(answer.evaluations[pixel])).collect();
     evaluations.sort_by(f64::total_cmp);

@@ -218,7 +218,7 @@ Student's 95 % interval over the eight means is as narrow as was asked or the ra
 <p><b>SSIM</b> is that of Wang, Bovik, Sheikh, Simoncelli (2004): a Gaussian window of 11 × 11 with σ = 1.5, K₁ = 0.01, K₂ = 0.03. \
 “In penumbrae” is its mean within three pixels of one. The shaded picture is (0.75 V E₀/Ω + 0.06)<sup>1/2.2</sup> of a matt \
 grey on a background of 0.55; E₀ is the irradiance of the uncovered light and Ω its solid angle, or the greatest E₀ of a flat \
-light.</p>
+light. V of flat lights and tubes is compared as V E₀/Ω: at a terminator, where hardly any light arrives, V means nothing.</p>
 <p><b>Cost.</b> Evaluations of the scene for a pixel that sees a surface, their mean and 95th percentile; milliseconds by the \
 device's timestamps, or by the processor's clock on software adapters, without compiling.</p>
 <p><b>Methods.</b> quilez2010 and quilez2019: Quilez's articles on soft shadows of distance fields, of 2010 and 2019. aaltonen: \
