@@ -27,7 +27,7 @@ pub(crate) fn work(shared: &Shared) {
         if let Some(order) = order {
             easel.accept(order);
         }
-        match guarded(|| easel.work()) {
+        match guarded(|| easel.work(&|| shared.orders.is_empty())) {
             Ok(Ok(None)) => {}
             Ok(Ok(Some(frame))) => shared.say(Event::Frame(Box::new(frame))),
             Ok(Err(error)) => {
@@ -103,32 +103,33 @@ impl Easel {
         }
     }
 
-    /// Draws for about a tenth of a second. A frame, if there is something new to show.
-    fn work(&mut self) -> Result<Option<Frame>, Error> {
+    /// Draws for about a tenth of a second. A frame, if there is something new to show. What takes longer is given up when it
+    /// need not go on.
+    fn work(&mut self, goes_on: &dyn Fn() -> bool) -> Result<Option<Frame>, Error> {
         if self.subject.is_none() {
             return Ok(None);
         }
         match (self.stage, self.wanted.look) {
             (Stage::Done, _) => Ok(None),
-            (_, Look::Inspected(inspection)) => self.inspect(&inspection).map(Some),
-            (Stage::Small, Look::Lit) => self.draw_small().map(Some),
-            (Stage::Full, Look::Lit) => self.draw_full(),
+            (_, Look::Inspected(inspection)) => self.inspect(&inspection, goes_on),
+            (Stage::Small, Look::Lit) => self.draw_small(goes_on).map(Some),
+            (Stage::Full, Look::Lit) => self.draw_full(goes_on),
         }
     }
 
-    fn inspect(&mut self, inspection: &Inspection) -> Result<Frame, Error> {
+    fn inspect(&mut self, inspection: &Inspection, goes_on: &dyn Fn() -> bool) -> Result<Option<Frame>, Error> {
         let size = if self.wanted.moving { self.inspected_pace.small(self.wanted.size) } else { self.wanted.size };
         let view = self.view()?;
         let Some(subject) = &self.subject else { return Err(Error::NoDriver) };
         subject.model.set_parameters(&subject.gpu, &self.wanted.parameters(&subject.scene))?;
         let begun = Instant::now();
-        let (rgba, legend) = self.inspecting()?.draw(view, size, inspection)?;
+        let Some((rgba, legend)) = self.inspecting()?.draw(view, size, inspection, goes_on)? else { return Ok(None) };
         let took = begun.elapsed();
         self.inspected_pace.note(size, took);
-        let mask = self.mask(view, size)?;
+        let mask = self.mask(view, size, goes_on)?;
         self.stage = if size == self.wanted.size || self.wanted.moving { Stage::Done } else { Stage::Full };
         let picture = Picture { size, rgba, other: None, legend: Some(legend), mask, view, samples: 1, took };
-        self.frame(picture, took)
+        self.frame(picture, took).map(Some)
     }
 
     fn inspecting(&mut self) -> Result<&mut Inspecting, Error> {
@@ -140,13 +141,13 @@ impl Easel {
     }
 
     /// Which pixels show what is to be outlined.
-    fn mask(&mut self, view: View, size: [u32; 2]) -> Result<Option<Mask>, Error> {
+    fn mask(&mut self, view: View, size: [u32; 2], goes_on: &dyn Fn() -> bool) -> Result<Option<Mask>, Error> {
         let (Some(subject), Some(outlined)) = (&self.subject, self.wanted.outlined.clone()) else { return Ok(None) };
         let parameters = self.wanted.parameters(&subject.scene);
-        self.inspecting()?.mask(view, size, &outlined, &parameters)
+        self.inspecting()?.mask(view, size, &outlined, &parameters, goes_on)
     }
 
-    fn draw_small(&mut self) -> Result<Frame, Error> {
+    fn draw_small(&mut self, goes_on: &dyn Fn() -> bool) -> Result<Frame, Error> {
         let size = self.pace.small(self.wanted.size);
         let view = self.view()?;
         let at_hand = self.small.take();
@@ -156,14 +157,14 @@ impl Easel {
         canvas.sample()?;
         let took = begun.elapsed();
         self.pace.note(size, took);
-        let mask = self.mask(view, size)?;
+        let mask = self.mask(view, size, goes_on)?;
         let frame = self.frame(canvas.picture(mask)?, took)?;
         self.small = Some(canvas);
         self.stage = if self.wanted.moving { Stage::Done } else { Stage::Full };
         Ok(frame)
     }
 
-    fn draw_full(&mut self) -> Result<Option<Frame>, Error> {
+    fn draw_full(&mut self, goes_on: &dyn Fn() -> bool) -> Result<Option<Frame>, Error> {
         let view = self.view()?;
         let at_hand = self.full.take();
         let mut canvas = self.canvas(at_hand, self.wanted.size, view)?;
@@ -174,7 +175,7 @@ impl Easel {
         let is_due = canvas.samples() <= 1 || self.last_shown.is_none_or(|shown| shown.elapsed() >= SHOWN_EVERY);
         let shown = is_done || is_complete && is_due;
         let frame = if shown {
-            let mask = self.mask(view, self.wanted.size)?;
+            let mask = self.mask(view, self.wanted.size, goes_on)?;
             Some(self.frame(canvas.picture(mask)?, begun.elapsed())?)
         } else {
             None

@@ -53,6 +53,10 @@ impl<T> Slot<T> {
         self.changed.notify_all();
     }
 
+    pub(crate) fn is_empty(&self) -> bool {
+        self.lock().value.is_none()
+    }
+
     pub(crate) fn is_closed(&self) -> bool {
         self.lock().closed
     }

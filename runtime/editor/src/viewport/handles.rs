@@ -18,6 +18,8 @@ use crate::document::DocumentId;
 /// So near to a handle, in points, the pointer takes it.
 const REACH: f32 = 9.0;
 const RADIUS: f32 = 5.5;
+/// The length of the line that shows which way a handle moves.
+const ARROW: f32 = 16.0;
 
 /// A handle of a number, or of what is none.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +30,8 @@ pub(super) struct Handle {
     at: [f64; 3],
     /// How it moves in the world when its number grows by 1.
     along: [f64; 3],
+    /// How far ahead of its place it is drawn, in points, so that several at one place can be told apart.
+    ahead: f32,
     /// The number in the text, or why there is none.
     number: Result<Number, String>,
 }
@@ -87,7 +91,7 @@ fn taken(editor: &Editor, view: View, rect: Rect, pointer: Pos2) -> Option<Drag>
 }
 
 fn handle_at(editor: &Editor, view: View, rect: Rect, pointer: Pos2) -> Option<Handle> {
-    let near = |handle: &Handle| on_screen(view, rect, handle.at).map(|at| at.distance(pointer));
+    let near = |handle: &Handle| grip(view, rect, handle.at, handle).map(|(at, _)| at.distance(pointer));
     let reached = found::handles(editor).into_iter().filter_map(|handle| Some((near(&handle)?, handle)));
     let nearest = reached.filter(|(distance, _)| *distance <= REACH).min_by(|(a, _), (b, _)| a.total_cmp(b));
     nearest.map(|(_, handle)| handle)
@@ -152,6 +156,14 @@ fn on_screen(view: View, rect: Rect, point: [f64; 3]) -> Option<Pos2> {
     Some(rect.min + vec2(x as f32, y as f32))
 }
 
+/// Where a handle is drawn that belongs to a point, and which way it moves in the window.
+fn grip(view: View, rect: Rect, at: [f64; 3], handle: &Handle) -> Option<(Pos2, egui::Vec2)> {
+    let place = on_screen(view, rect, at)?;
+    let ahead = on_screen(view, rect, [0, 1, 2].map(|axis| at[axis] + handle.along[axis]))?;
+    let direction = (ahead - place).normalized();
+    Some((place + handle.ahead * direction, direction))
+}
+
 fn pixels(rect: Rect) -> [u32; 2] {
     [rect.width().max(1.0) as u32, rect.height().max(1.0) as u32]
 }
@@ -180,15 +192,12 @@ pub(super) fn paint(editor: &Editor, ui: &Ui, painter: &Painter) {
 }
 
 fn paint_one(painter: &Painter, view: View, rect: Rect, at: [f64; 3], handle: &Handle, text: &str) {
-    let Some(place) = on_screen(view, rect, at) else { return };
+    let Some((place, direction)) = grip(view, rect, at, handle) else { return };
     let fill = match handle.number {
         Ok(_) => Color32::from_rgb(255, 140, 0),
         Err(_) => Color32::from_gray(140),
     };
-    if let Some(ahead) = on_screen(view, rect, [0, 1, 2].map(|axis| at[axis] + handle.along[axis])) {
-        let direction = (ahead - place).normalized();
-        painter.line_segment([place, place + 18.0 * direction], Stroke::new(2.0, fill));
-    }
+    painter.line_segment([place - handle.ahead * direction, place + ARROW * direction], Stroke::new(2.0, fill));
     painter.circle(place, RADIUS, fill, Stroke::new(1.5, Color32::WHITE));
     if !text.is_empty() {
         let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(13.0), Color32::WHITE);
@@ -211,6 +220,7 @@ mod tests {
             label: "r".to_owned(),
             at: [5.0, 1.0, 2.0],
             along: [0.5, 0.0, 0.0],
+            ahead: 0.0,
             number: Err("it is none".to_owned()),
         };
         for value in [-3.0, 0.0, 4.0] {

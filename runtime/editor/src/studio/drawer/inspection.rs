@@ -4,44 +4,63 @@ use chiaro_render::{Error, Inspection, Inspector, Legend, Mask, Masker, View};
 
 use super::super::{Outlined, Subject};
 
-/// The most solids whose outline is drawn: a loop may make thousands.
-const MOST_OUTLINED: usize = 12;
-
 /// What looks at a subject.
 pub(crate) struct Inspecting {
     inspector: Inspector,
     masker: Masker,
+    /// The mask made last, and of what.
+    last_mask: Option<(Masked, Option<Mask>)>,
+}
+
+/// What decides a mask.
+#[derive(Clone, PartialEq)]
+struct Masked {
+    view: View,
+    size: [u32; 2],
+    outlined: Outlined,
+    parameters: Vec<f64>,
 }
 
 impl Inspecting {
     pub(crate) fn new(subject: &Subject) -> Result<Self, Error> {
-        Ok(Self { inspector: Inspector::new(&subject.gpu, &subject.model)?, masker: Masker::default() })
+        let inspector = Inspector::new(&subject.gpu, &subject.model)?;
+        Ok(Self { inspector, masker: Masker::default(), last_mask: None })
     }
 
-    /// The picture in 8 bits of sRGB and alpha, with what its colours mean.
-    pub(crate) fn draw(&mut self, view: View, size: [u32; 2], what: &Inspection) -> Result<(Vec<u8>, Legend), Error> {
-        let drawing = self.inspector.draw(view, size, what)?;
-        Ok((drawing.pixels, drawing.legend))
+    /// The picture in 8 bits of sRGB and alpha, with what its colours mean. None if it was not to go on before it was done.
+    pub(crate) fn draw(
+        &mut self,
+        view: View,
+        size: [u32; 2],
+        what: &Inspection,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<Option<(Vec<u8>, Legend)>, Error> {
+        let drawing = self.inspector.draw_while(view, size, what, goes_on)?;
+        Ok(drawing.map(|drawing| (drawing.pixels, drawing.legend)))
     }
 
-    /// Which pixels show one of the solids. None, if the system has no room to find out.
+    /// Which pixels show the solids. None if the system has no room to find out, or if it was not to go on.
     pub(crate) fn mask(
         &mut self,
         view: View,
         size: [u32; 2],
         outlined: &Outlined,
         parameters: &[f64],
+        goes_on: &dyn Fn() -> bool,
     ) -> Result<Option<Mask>, Error> {
-        self.inspector.look(view, size, None)?;
-        let mut whole: Option<Mask> = None;
-        for solid in outlined.solids.iter().take(MOST_OUTLINED) {
-            let Ok(part) = outlined.provenance.part(*solid) else { return Ok(None) };
-            let mask = self.masker.mask(&mut self.inspector, &part, parameters)?;
-            match &mut whole {
-                Some(whole) => whole.covered.iter_mut().zip(mask.covered).for_each(|(covered, also)| *covered |= also),
-                None => whole = Some(mask),
-            }
+        let masked = Masked { view, size, outlined: outlined.clone(), parameters: parameters.to_vec() };
+        if let Some((_, mask)) = self.last_mask.as_ref().filter(|(of, _)| *of == masked) {
+            return Ok(mask.clone());
         }
-        Ok(whole)
+        self.inspector.set_parameters(parameters)?;
+        if !self.inspector.look_while(view, size, None, goes_on)? {
+            return Ok(None);
+        }
+        let mask = match outlined.provenance.parts(&outlined.solids) {
+            Ok(part) => Some(self.masker.mask(&mut self.inspector, &part, parameters)?),
+            Err(_) => None,
+        };
+        self.last_mask = Some((masked, mask.clone()));
+        Ok(mask)
     }
 }

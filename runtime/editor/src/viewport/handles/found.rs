@@ -9,6 +9,8 @@ use crate::document::Document;
 
 /// How many of the expressions around a solid offer handles: the nearest.
 const MOST_CALLS: usize = 3;
+/// How far before a place the handles that move it are drawn, in points.
+const MOVE_AHEAD: f32 = 28.0;
 
 /// The handles of the selection's expression and of the nearest moves around it.
 pub(super) fn handles(editor: &Editor) -> Vec<Handle> {
@@ -74,7 +76,8 @@ impl Call<'_> {
         let axis = |axis: usize| {
             let mut along = [0.0; 3];
             along[axis] = 1.0;
-            self.handle(["x", "y", "z"][axis], &numbers.get(axis).cloned(), at, along)
+            let handle = self.handle(["x", "y", "z"][axis], &numbers.get(axis).cloned(), at, along)?;
+            Some(Handle { ahead: MOVE_AHEAD, ..handle })
         };
         (0..numbers.len().min(3)).filter_map(axis).collect()
     }
@@ -128,7 +131,7 @@ impl Call<'_> {
         let turned = |v: [f64; 3]| [0, 1, 2].map(|row| m[row][0] * v[0] + m[row][1] * v[1] + m[row][2] * v[2]);
         let moved = turned(at);
         let at = [0, 1, 2].map(|row| moved[row] + m[row][3]);
-        Some(Handle { label: label.to_owned(), at, along: turned(along), number })
+        Some(Handle { label: label.to_owned(), at, along: turned(along), ahead: 0.0, number })
     }
 
     fn literal(&self, name: &str) -> Option<Literal> {
