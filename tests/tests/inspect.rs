@@ -3,10 +3,13 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
+use chiaro_compiler::field::Evaluator;
+use chiaro_compiler::solid::SolidKind;
 use chiaro_compiler::syntax::FileId;
-use chiaro_compiler::{Compilation, Options, Provenance, compile};
+use chiaro_compiler::{Compilation, Options, Origin, Provenance, compile};
 use chiaro_render::{Gpu, Inspection, Inspector, Masker, Model, Plane, Preference, View};
-use chiaro_tests::{MemoryWorld, blessing};
+use chiaro_tests::world::DiskWorld;
+use chiaro_tests::{MemoryWorld, blessing, scad_files, workspace};
 use image::RgbaImage;
 
 /// How far a channel may be from the picture that is kept, as the square root of the mean square, in steps of 8 bits.
@@ -154,9 +157,8 @@ fn a_pixel_shows_the_expression_that_its_ray_meets() {
     let mut plate = looked(PLATE);
     let (view, size) = (view([70.0, 0.0, 20.0], 90.0), [64, 48]);
     plate.inspector.look(view, size, None).unwrap();
-    let text = |origin: Vec<chiaro_compiler::Origin>| {
-        origin.first().map(|origin| plate.compilation.sources.text(origin.span).to_owned())
-    };
+    let text =
+        |origin: Vec<Origin>| origin.first().map(|origin| plate.compilation.sources.text(origin.span).to_owned());
     let (mut seen, mut same) = (0, 0);
     for pixel in (0..48).step_by(3).flat_map(|y| (0..64).step_by(3).map(move |x| [x, y])) {
         let (eye, direction) = view.ray(pixel.map(|edge| f64::from(edge) + 0.5), size);
@@ -252,5 +254,37 @@ fn views_look_as_they_did() {
         ("error_section", Inspection::DistanceError(Some(plane))),
     ] {
         scene.check(name, view, inspection);
+    }
+}
+
+#[test]
+fn what_made_a_surface_is_there_in_every_example() {
+    for path in scad_files(&workspace().join("examples_csg")) {
+        let compilation = compile(&DiskWorld, &path.to_string_lossy(), &Options::default());
+        let scene = compilation.scene.unwrap();
+        let provenance = scene.provenance(&compilation.sources).unwrap();
+        let values = scene.defaults();
+        let bounds = Evaluator::new(&scene.picture(), &values).bounds();
+        let view = View::framing(&scene.camera, &values, &bounds, 4.0 / 3.0);
+        let mut seen = 0;
+        for pixel in (0..9).flat_map(|y| (0..12).map(move |x| [f64::from(x) + 0.5, f64::from(y) + 0.5])) {
+            let (eye, direction) = view.ray(pixel, [12, 9]);
+            let Some(point) = provenance.hit(eye, direction, &values) else { continue };
+            let chain = provenance.origin(point, &values);
+            let innermost = chain.first().unwrap_or_else(|| panic!("{}: nothing made {point:?}", path.display()));
+            let span = innermost.span;
+            let back = provenance.nodes_at(span.file, span.start);
+            assert!(back.contains(&innermost.solid), "{}: {innermost:?} is not at its place", path.display());
+            // Where operands are joined, the surface is off all of them.
+            let joint = |origin: &Origin| match &provenance.solid(origin.solid).kind {
+                SolidKind::Boolean { joint: Some(joint), .. } => joint.radius.value(&values),
+                _ => 0.0,
+            };
+            let off = Evaluator::new(&provenance.part(innermost.solid).unwrap(), &values).distance(point).abs();
+            let most = 1e-4 * bounds.diagonal() + chain.iter().map(joint).sum::<f64>();
+            assert!(off <= most, "{}: {point:?} is {off} mm off {innermost:?}", path.display());
+            seen += 1;
+        }
+        assert!(seen > 5, "{}: only {seen} rays meet anything", path.display());
     }
 }
