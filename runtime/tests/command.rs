@@ -161,6 +161,8 @@ fn errors_say_where_and_how_to_mend_them() {
     let output = folder.run(&["check", "a.csg", "--message-format", "json"]);
     let object: Value = serde_json::from_str(stderr(&output).lines().next().unwrap()).unwrap();
     assert_eq!((&object["severity"], &object["place"]["line"]), (&Value::from("error"), &Value::from(2)));
+    let suggestion = &object["suggestions"][0];
+    assert_eq!((&suggestion["text"], &suggestion["place"]["column"]), (&Value::from("sphere"), &Value::from(1)));
 }
 
 /// What only the shader has no room for is said as the compiler says things, whichever command asks for it.
@@ -329,4 +331,31 @@ fn fmt_keeps_links_and_permissions() {
     assert!(fs::symlink_metadata(folder.path("link.csg")).expect("a link").is_symlink());
     let mode = fs::metadata(folder.path("a.csg")).expect("a scene").permissions().mode();
     assert_eq!(mode & 0o777, 0o600);
+}
+
+#[test]
+fn the_light_suite_comes_with_the_command() {
+    let folder = Folder::new();
+    let compared = |arguments: &[&str]| -> Value {
+        let common = ["compare", "-o", "report", "--size", "16x16", "--truth-samples", "64"];
+        let output = succeeded(folder.run(&[&common, arguments].concat()));
+        let table = stdout(&output);
+        assert!(table.contains("under rectangles (2)"), "{table}");
+        serde_json::from_slice(&fs::read(folder.path("report/results.json")).unwrap()).unwrap()
+    };
+    let results = compared(&["--suite", "--only", "primitives,bounds", "--methods", "aaltonen,verified:8"]);
+    let names: Vec<&str> = results["cases"].as_array().unwrap().iter().map(|c| c["case"].as_str().unwrap()).collect();
+    let radii = ["0.15", "0.4", "0.9"];
+    let balls = |scene: &str| radii.map(|radius| format!("{scene}, radius {radius}"));
+    let rectangles = ["1.00", "2.67"].map(|scale| format!("primitives, rectangle × {scale}"));
+    assert_eq!(names, [&balls("primitives")[..], &rectangles, &balls("bounds")].concat());
+    // Means over each group and scene, besides those over all.
+    let mean = |of: &[Value]| of.iter().map(|case| case["methods"][1]["score"]["ssim"].as_f64().unwrap()).sum::<f64>();
+    let cases = results["cases"].as_array().unwrap();
+    let parts = results["parts"].as_array().unwrap();
+    let first = &parts[0]["means"][1]["score"]["ssim"];
+    assert!((first.as_f64().unwrap() - mean(&cases[..3]) / 3.0).abs() < 1e-9, "{parts:?}");
+
+    let refused = folder.run(&["compare", "--suite", "--only", "nowhere"]);
+    assert!(stderr(&refused).contains("no scene nowhere"), "{}", stderr(&refused));
 }
