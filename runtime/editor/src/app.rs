@@ -3,13 +3,15 @@
 use std::path::PathBuf;
 
 use chiaro_render::Preference;
-use egui::{CentralPanel, Panel, Ui};
+use egui::{CentralPanel, Context, Panel, Ui};
 
 use crate::clock::Clock;
+use crate::gallery::Gallery;
+use crate::recovery::Recovery;
 use crate::session::Session;
 use crate::settings::{Settings, Theme};
 use crate::viewport::Viewport;
-use crate::{dialogs, menu, panels, status, text};
+use crate::{dialogs, gallery, menu, panels, status, text, theme};
 
 /// How the editor starts.
 #[derive(Clone, Debug, Default)]
@@ -20,6 +22,8 @@ pub struct Options {
     pub adapter: Preference,
     /// Whether there is only the picture, beside an editor of the user's own.
     pub only_picture: bool,
+    /// The folder for what must survive a crash; none for the one the system has for that.
+    pub data: Option<PathBuf>,
 }
 
 /// The live-reload editor.
@@ -31,7 +35,12 @@ pub struct Editor {
     pub(crate) text: text::TextPanel,
     pub(crate) panels: panels::Panels,
     pub(crate) dialogs: dialogs::Dialogs,
+    pub(crate) gallery: Gallery,
+    pub(crate) recovery: Recovery,
+    pub(crate) adapter: Preference,
     pub(crate) only_picture: bool,
+    /// The size of text that the window's style was made for, in points.
+    styled: f32,
 }
 
 impl Editor {
@@ -43,7 +52,10 @@ impl Editor {
         let settings: Settings =
             context.storage.and_then(|storage| eframe::get_value(storage, eframe::APP_KEY)).unwrap_or_default();
         let wake = context.egui_ctx.clone();
-        let session = Session::new(options.adapter, move || wake.request_repaint());
+        let session = Session::new(options.adapter.clone(), move || wake.request_repaint());
+        let data = options.data.or_else(|| eframe::storage_dir(crate::NAME));
+        let recovery = Recovery::new(data.as_deref());
+        let dialogs = dialogs::Dialogs { recovered: recovery.find(), ..Default::default() };
         let mut editor = Self {
             session: session.expect("two threads"),
             settings,
@@ -51,8 +63,12 @@ impl Editor {
             viewport: Viewport::default(),
             text: text::TextPanel::default(),
             panels: panels::Panels::default(),
-            dialogs: dialogs::Dialogs::default(),
+            dialogs,
+            gallery: Gallery::default(),
+            recovery,
+            adapter: options.adapter,
             only_picture: options.only_picture,
+            styled: 0.0,
         };
         let files = if options.files.is_empty() { editor.settings.open.clone() } else { options.files };
         for file in files {
@@ -73,6 +89,27 @@ impl Editor {
         }
     }
 
+    /// Opens the files that were dropped on the window.
+    fn take_dropped(&mut self, context: &Context) {
+        let dropped = context.input(|input| input.raw.dropped_files.clone());
+        for file in dropped.iter() {
+            self.open(file.path());
+        }
+    }
+
+    /// Makes the window look as the user wants.
+    fn style(&mut self, context: &Context) {
+        context.set_theme(match self.settings.theme {
+            Theme::System => egui::ThemePreference::System,
+            Theme::Light => egui::ThemePreference::Light,
+            Theme::Dark => egui::ThemePreference::Dark,
+        });
+        if self.styled != self.settings.text_size {
+            self.styled = self.settings.text_size;
+            theme::apply(context, self.styled);
+        }
+    }
+
     /// Lets the time of the scene pass.
     fn advance_clock(&mut self, ui: &Ui) {
         if self.clock.advance() {
@@ -84,32 +121,40 @@ impl Editor {
 
 impl eframe::App for Editor {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
-        ui.ctx().set_theme(match self.settings.theme {
-            Theme::System => egui::ThemePreference::System,
-            Theme::Light => egui::ThemePreference::Light,
-            Theme::Dark => egui::ThemePreference::Dark,
-        });
+        self.style(&ui.ctx().clone());
+        self.take_dropped(&ui.ctx().clone());
         if let Some(due) = self.session.poll() {
             ui.ctx().request_repaint_after(due);
         }
         self.advance_clock(ui);
-        menu::shortcuts(self, ui);
+        self.recovery.keep(ui.ctx(), self.session.documents());
+        menu::shortcuts(self, &ui.ctx().clone());
         if !self.only_picture {
             Panel::top("menu").show(ui, |ui| menu::show(self, ui));
         }
         Panel::bottom("status").show(ui, |ui| status::show(self, ui));
         if !self.only_picture {
-            Panel::left("text").default_size(560.0).show(ui, |ui| text::show(self, ui));
+            Panel::left("text").default_size(520.0).show(ui, |ui| text::show(self, ui));
             if self.settings.shows_panel {
-                Panel::right("panel").default_size(280.0).show(ui, |ui| panels::show(self, ui));
+                Panel::right("panel").default_size(320.0).show(ui, |ui| panels::show(self, ui));
             }
         }
-        CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| crate::viewport::show(self, ui));
+        if panels::time::is_wanted(self) {
+            Panel::bottom("time").show(ui, |ui| panels::time::show(self, ui));
+        }
+        CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| match gallery::is_wanted(self) {
+            true => gallery::show(self, ui),
+            false => crate::viewport::show(self, ui),
+        });
         dialogs::show(self, ui);
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         self.settings.open = self.session.documents().iter().filter_map(|document| document.path.clone()).collect();
         eframe::set_value(storage, eframe::APP_KEY, &self.settings);
+    }
+
+    fn on_exit(&mut self) {
+        self.recovery.close();
     }
 }

@@ -11,11 +11,14 @@
 
 // The window, from the outside in.
 mod app;
+mod command;
 mod dialogs;
+mod gallery;
 mod menu;
 mod panels;
 mod status;
 mod text;
+mod theme;
 mod viewport;
 
 // What it shows: the open texts and their scene, and the threads that compile and draw it.
@@ -26,10 +29,16 @@ mod session;
 mod studio;
 
 mod clock;
+mod darkroom;
 mod disk;
+mod recovery;
 mod settings;
+mod worker;
 
 pub use app::{Editor, Options};
+
+/// The name that the system knows the editor by.
+const NAME: &str = "chiaro";
 
 /// Opens the editor's window, and returns when it is closed.
 ///
@@ -40,5 +49,5 @@ pub fn run(options: Options) -> eframe::Result {
         viewport: egui::ViewportBuilder::default().with_title("Chiaro").with_inner_size([1440.0, 860.0]),
         ..Default::default()
     };
-    eframe::run_native("chiaro", native, Box::new(|context| Ok(Box::new(Editor::new(context, options)))))
+    eframe::run_native(NAME, native, Box::new(|context| Ok(Box::new(Editor::new(context, options)))))
 }

@@ -26,7 +26,7 @@ pub(crate) struct Session {
     scene: DocumentId,
     studio: Studio,
     watch: Watch,
-    program: Option<Running>,
+    running: Option<Running>,
     revision: u64,
     /// Values of parameters that are not the text's, by name: expressions of the language.
     pub(crate) definitions: BTreeMap<String, String>,
@@ -85,7 +85,7 @@ impl Session {
             active: 0,
             studio: Studio::new(preference, wake.clone())?,
             watch: Watch::new(wake),
-            program: None,
+            running: None,
             revision: 0,
             definitions: BTreeMap::new(),
             values: Vec::new(),
@@ -127,6 +127,14 @@ impl Session {
         if replaces_empty {
             self.draw(self.documents[0].id);
         }
+    }
+
+    /// Gives a text another file.
+    pub(crate) fn rename(&mut self, id: DocumentId, path: PathBuf) {
+        let Some(document) = self.documents.iter_mut().find(|document| document.id == id) else { return };
+        document.path = Some(path);
+        self.watch_files();
+        self.compile(None);
     }
 
     /// Closes a text, saved or not.
@@ -183,7 +191,7 @@ impl Session {
     /// To be called when any text changed: draws what it says now.
     pub(crate) fn text_changed(&mut self) {
         let text = &self.scene_document().text;
-        let Some(running) = &self.program else { return self.compile(None) };
+        let Some(running) = &self.running else { return self.compile(None) };
         let Some(edit) = number_edit(&running.text, text) else {
             // Another file may have changed; but what is the same everywhere is compiled already.
             return self.compile(None);
@@ -191,7 +199,7 @@ impl Session {
         let value = running.live.as_ref().and_then(|live| edit.value(live)).filter(|value| self.is_live(value));
         match value {
             Some(value) => {
-                if let Some(running) = &mut self.program {
+                if let Some(running) = &mut self.running {
                     running.moved = Some(value);
                     running.settles_after = Some(Instant::now());
                 }
@@ -199,7 +207,7 @@ impl Session {
             }
             None => {
                 self.compile(Some(edit.literal()));
-                if let Some(running) = &mut self.program {
+                if let Some(running) = &mut self.running {
                     running.settles_after = Some(Instant::now());
                 }
             }
@@ -215,15 +223,20 @@ impl Session {
     /// Compiles the texts as they are, with one number live.
     pub(crate) fn compile(&mut self, live: Option<LiveLiteral>) {
         self.revision += 1;
-        let scene = self.scene_document();
-        let (main, text) = (scene.name(), scene.text.clone());
+        let mut program = self.program();
+        program.options.live_literals = live.clone().into_iter().collect();
+        let text = self.scene_document().text.clone();
+        self.running = Some(Running { text, live, moved: None, settles_after: None });
+        self.studio.compile(program);
+    }
+
+    /// The texts as they are, to be compiled.
+    pub(crate) fn program(&self) -> Program {
         let buffers: Buffers =
             Arc::new(self.documents.iter().map(|open| (open.name(), open.text.as_str().into())).collect());
         let definitions = self.definitions.iter().map(|(name, value)| (name.clone(), value.clone())).collect();
-        let options =
-            chiaro_compiler::Options { definitions, live_literals: live.into_iter().collect(), ..Default::default() };
-        self.program = Some(Running { text, live, moved: None, settles_after: None });
-        self.studio.compile(Program { revision: self.revision, main, buffers, options });
+        let options = chiaro_compiler::Options { definitions, ..Default::default() };
+        Program { revision: self.revision, main: self.scene_document().name(), buffers, options }
     }
 
     /// Changes what is wanted of the picture; its live values are the session's.
@@ -237,7 +250,7 @@ impl Session {
 
     /// Shows the live numbers' values.
     pub(crate) fn show(&mut self) {
-        let moved = self.program.as_ref().and_then(|running| running.moved.clone());
+        let moved = self.running.as_ref().and_then(|running| running.moved.clone());
         let values: Vec<LiveValue> = self.values.iter().cloned().chain(moved).collect();
         if values != self.wanted.values {
             self.wanted.values = values;
@@ -260,7 +273,7 @@ impl Session {
             self.take(event);
         }
         self.reload();
-        let since = self.program.as_ref()?.settles_after?.elapsed();
+        let since = self.running.as_ref()?.settles_after?.elapsed();
         if since >= SETTLED {
             self.compile(None);
             return None;

@@ -6,6 +6,8 @@ use serde::{Deserialize, Serialize};
 
 /// How many files the list of recent ones has.
 const MOST_RECENT: usize = 12;
+/// The least and the greatest size of the text, in points.
+const TEXT_SIZES: [f32; 2] = [8.0, 40.0];
 
 /// What the user chose, and where they were.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -18,6 +20,7 @@ pub(crate) struct Settings {
     pub(crate) open: Vec<PathBuf>,
     pub(crate) panel: Panel,
     pub(crate) shows_panel: bool,
+    /// In points.
     pub(crate) text_size: f32,
     pub(crate) samples: u32,
 }
@@ -43,6 +46,23 @@ pub(crate) enum Panel {
     Timings,
 }
 
+impl Panel {
+    /// All of them, in the order of their tabs.
+    pub(crate) const ALL: [Panel; 5] =
+        [Panel::Parameters, Panel::Solids, Panel::Messages, Panel::Shader, Panel::Timings];
+
+    /// As its tab says.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Panel::Parameters => "Parameters",
+            Panel::Solids => "Solids",
+            Panel::Messages => "Messages",
+            Panel::Shader => "Shader",
+            Panel::Timings => "Timings",
+        }
+    }
+}
+
 impl Default for Settings {
     fn default() -> Self {
         Self {
@@ -58,6 +78,11 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Makes the text larger or smaller, by points.
+    pub(crate) fn scale_text(&mut self, by: f32) {
+        self.text_size = (self.text_size + by).clamp(TEXT_SIZES[0], TEXT_SIZES[1]);
+    }
+
     /// Remembers that a file was opened.
     pub(crate) fn opened(&mut self, path: &Path) {
         self.recent.retain(|recent| recent != path);

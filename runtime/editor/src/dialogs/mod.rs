@@ -1,12 +1,47 @@
 //! What is asked in windows of its own.
 
+pub(crate) mod export;
+pub(crate) mod files;
+mod keys;
+mod place;
+pub(crate) mod record;
+mod recovered;
+mod unsaved;
+
 use egui::Ui;
 
 use crate::app::Editor;
+use crate::recovery::Found;
 
 /// Which dialogs are open.
 #[derive(Default)]
-pub(crate) struct Dialogs {}
+pub(crate) struct Dialogs {
+    pub(crate) files: files::Files,
+    /// What to do with changes, before something is closed.
+    pub(crate) unsaved: Option<unsaved::Unsaved>,
+    pub(crate) recovered: Option<Found>,
+    pub(crate) export: Option<export::Export>,
+    pub(crate) record: Option<record::Record>,
+    pub(crate) shows_keys: bool,
+    /// Nothing has to be asked any more before the window closes.
+    pub(crate) may_quit: bool,
+}
+
+impl Dialogs {
+    /// Whether an answer is needed before anything else.
+    pub(crate) fn is_blocking(&self) -> bool {
+        self.unsaved.is_some() || self.recovered.is_some()
+    }
+}
 
 /// Shows the dialogs that are open.
-pub(crate) fn show(_: &mut Editor, _: &mut Ui) {}
+pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
+    let context = ui.ctx().clone();
+    unsaved::catch_close(editor, &context);
+    files::poll(editor, &context);
+    keys::show(editor, &context);
+    export::show(editor, &context);
+    record::show(editor, &context);
+    recovered::show(editor, &context);
+    unsaved::show(editor, &context);
+}

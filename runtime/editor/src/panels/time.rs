@@ -1,33 +1,50 @@
 //! Play, pause and scrub the time `$t`.
 
-use egui::{Slider, Ui};
+use egui::{Button, DragValue, Slider, Ui};
 
 use crate::app::Editor;
+use crate::command::Command;
+use crate::darkroom::CLOCK;
 use crate::studio::LiveValue;
 
-/// The name of OpenSCAD's clock.
-const CLOCK: &str = "$t";
+/// Whether the scene moves, as far as its text tells.
+pub(crate) fn is_wanted(editor: &Editor) -> bool {
+    is_live(editor) || editor.session.scene_document().text.contains(CLOCK)
+}
 
 /// Shows the controls.
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.horizontal(|ui| {
-        if ui.button(if editor.clock.is_running() { "⏸" } else { "▶" }).on_hover_text("Play or pause $t").clicked()
-        {
+        let (symbol, name) = if editor.clock.is_running() { ("⏸", "Pause") } else { ("▶", "Play") };
+        let button = ui.add(Button::new(symbol).min_size(egui::vec2(30.0, 0.0))).on_hover_text(name);
+        button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
+        if button.clicked() {
             editor.clock.toggle();
         }
         let mut time = editor.clock.time;
-        if ui.add(Slider::new(&mut time, 0.0..=1.0).text("$t")).changed() {
+        ui.spacing_mut().slider_width = (ui.available_width() - 330.0).max(80.0);
+        if ui.add(Slider::new(&mut time, 0.0..=1.0).fixed_decimals(3).text(CLOCK)).changed() {
             editor.clock.set(time);
             show_time(editor);
+        }
+        let label = ui.label("Round");
+        ui.add(DragValue::new(&mut editor.clock.period).range(0.1..=600.0).speed(0.1).suffix(" s"))
+            .labelled_by(label.id);
+        if ui.button("Record…").clicked() {
+            Command::Record.run(editor, ui.ctx());
         }
     });
 }
 
+fn is_live(editor: &Editor) -> bool {
+    let shown = editor.session.shown.as_ref();
+    shown.is_some_and(|shown| shown.scene.parameters.iter().any(|parameter| &*parameter.name == CLOCK))
+}
+
 /// Moves the scene to the clock's time: as a live number, or by compiling it for that time where `$t` decides its structure.
 pub(crate) fn show_time(editor: &mut Editor) {
-    let time = editor.clock.time;
+    let (time, is_live) = (editor.clock.time, is_live(editor));
     let session = &mut editor.session;
-    let is_live = session.shown.as_ref().is_some_and(|shown| shown.scene.parameters.iter().any(|p| &*p.name == CLOCK));
     session.values.retain(|value| value.name != CLOCK);
     if is_live {
         session.values.push(LiveValue { name: CLOCK.to_owned(), component: None, value: time });

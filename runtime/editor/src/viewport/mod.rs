@@ -9,7 +9,7 @@ mod picking;
 mod selection;
 mod wipe;
 
-pub(crate) use overlay::{looks, views};
+pub(crate) use overlay::{frame_selection, looks, views};
 pub(crate) use selection::Selection;
 
 use chiaro_compiler::shader::Shadows;
