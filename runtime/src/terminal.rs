@@ -120,11 +120,10 @@ fn write_json<'a>(sources: &Sources, diagnostics: impl Iterator<Item = &'a synta
             .iter()
             .map(|other| json!({ "message": other.message, "place": place(sources, other.span) }))
             .collect();
-        let suggestions: Vec<Value> = diagnostic
-            .suggestions
-            .iter()
-            .map(|change| json!({ "place": place(sources, change.span), "text": change.text }))
-            .collect();
+        let suggestion = diagnostic
+            .suggestion
+            .as_ref()
+            .map(|change| json!({ "place": place(sources, change.span), "text": change.text }));
         let object = json!({
             "severity": match diagnostic.severity {
                 Severity::Error => "error",
@@ -136,7 +135,7 @@ fn write_json<'a>(sources: &Sources, diagnostics: impl Iterator<Item = &'a synta
             "label": diagnostic.label,
             "related": related,
             "hints": diagnostic.hints,
-            "suggestions": suggestions,
+            "suggestion": suggestion,
         });
         writeln!(writer, "{object}")?;
     }

@@ -161,7 +161,7 @@ fn errors_say_where_and_how_to_mend_them() {
     let output = folder.run(&["check", "a.csg", "--message-format", "json"]);
     let object: Value = serde_json::from_str(stderr(&output).lines().next().unwrap()).unwrap();
     assert_eq!((&object["severity"], &object["place"]["line"]), (&Value::from("error"), &Value::from(2)));
-    let suggestion = &object["suggestions"][0];
+    let suggestion = &object["suggestion"];
     assert_eq!((&suggestion["text"], &suggestion["place"]["column"]), (&Value::from("sphere"), &Value::from(1)));
 }
 

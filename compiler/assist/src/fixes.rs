@@ -13,10 +13,10 @@ pub struct Fix {
     pub edits: Vec<Edit>,
 }
 
-/// The ways that a diagnostic suggests to mend the file `file`, whose text is `text`: the likeliest first.
+/// The ways that a diagnostic suggests to mend the file `file`, whose text is `text`.
 pub fn quick_fixes(diagnostic: &Diagnostic, file: FileId, text: &str) -> Vec<Fix> {
-    let here = diagnostic.suggestions.iter().filter(|suggestion| suggestion.span.file == file);
-    here.filter_map(|suggestion| fix(suggestion, text)).collect()
+    let here = diagnostic.suggestion.as_deref().filter(|suggestion| suggestion.span.file == file);
+    here.and_then(|suggestion| fix(suggestion, text)).into_iter().collect()
 }
 
 fn fix(suggestion: &Suggestion, text: &str) -> Option<Fix> {

@@ -41,20 +41,20 @@ pub struct Diagnostic {
     /// Where. Only what concerns no place of any file, such as a file that can't be read, has none.
     pub span: Option<Span>,
     /// What the span itself shows, if the message needs it.
-    pub label: Option<String>,
+    pub label: Option<Box<str>>,
     /// Other places that explain it, such as an earlier definition or the call that led here.
     pub related: Vec<Label>,
     /// How to mend it.
     pub hints: Vec<String>,
-    /// Changes of the text that would mend it, the likeliest first. Each is one by itself.
-    pub suggestions: Vec<Suggestion>,
+    /// The change of the text that would most likely mend it.
+    pub suggestion: Option<Box<Suggestion>>,
 }
 
 impl Diagnostic {
     /// A diagnostic of that severity about `span`.
     pub fn new(severity: Severity, span: impl Into<Option<Span>>, message: impl Into<String>) -> Self {
         let (message, span) = (message.into(), span.into());
-        Self { severity, message, span, label: None, related: Vec::new(), hints: Vec::new(), suggestions: Vec::new() }
+        Self { severity, message, span, label: None, related: Vec::new(), hints: Vec::new(), suggestion: None }
     }
 
     /// An error about `span`.
@@ -74,7 +74,7 @@ impl Diagnostic {
 
     /// Says what the span itself shows.
     pub fn with_label(mut self, label: impl Into<String>) -> Self {
-        self.label = Some(label.into());
+        self.label = Some(label.into().into_boxed_str());
         self
     }
 
@@ -84,9 +84,9 @@ impl Diagnostic {
         self
     }
 
-    /// Adds a change of the text that would mend it.
+    /// Says which change of the text would mend it, unless that has been said.
     pub fn with_suggestion(mut self, span: Span, text: impl Into<String>) -> Self {
-        self.suggestions.push(Suggestion { span, text: text.into() });
+        self.suggestion.get_or_insert_with(|| Box::new(Suggestion { span, text: text.into() }));
         self
     }
 
