@@ -165,6 +165,8 @@ fn a_half_plane_leaves_a_segment_of_the_disc() {
     let truth = study.truth(&subject.light(), 0.01, 2048).unwrap();
     let ours = study.run(Shadows::Verified, 19, &subject.light()).unwrap();
     assert!(truth.half_width < 0.02, "{}", truth.half_width);
+    // Lit and dark places far from the penumbra need few rays.
+    assert!(truth.mean_samples < 0.7 * f64::from(truth.samples), "{} of {}", truth.mean_samples, truth.samples);
     let (mut checked, mut outside) = (0, 0);
     for pixel in seen(&receivers) {
         let [x, y, z] = receivers[pixel].position.map(f64::from);
@@ -180,6 +182,61 @@ fn a_half_plane_leaves_a_segment_of_the_disc() {
         assert!(error < 0.06, "V = {} and not {expected} at {x} {y}", ours.visible[pixel]);
     }
     assert!(checked > 50 && outside * 20 <= checked, "{outside} of {checked}");
+}
+
+/// An edge cuts flat lights: the part of the irradiance that is left, in the truth and in ours, against sums over the
+/// light.
+#[test]
+fn an_edge_leaves_a_part_of_the_irradiance_of_flat_lights() {
+    type Inside = fn(f64, f64) -> bool;
+    let lights: [(&str, Inside); 3] = [
+        ("disk_light(r = 3)", |x, y| x * x + y * y <= 9.0),
+        ("rect_light([5, 3])", |x, y| x.abs() <= 2.5 && y.abs() <= 1.5),
+        ("polygon_light([[-3, -2], [3, -2], [0, 3]])", |x, y| y >= -2.0 && x.abs() <= 3.0 * (3.0 - y) / 5.0),
+    ];
+    for (light, inside) in lights {
+        let subject = Subject::new(&format!(
+            "camera(eye = [0, -8, 3.5], target = [0, 0, 0], fov = 40); {FLOOR}
+             translate([0, -500, 5]) cube([1000, 1000, 8]);
+             translate([0, 0, 20]) rotate([180, 0, 0]) {light};"
+        ));
+        let mut study = subject.study(40);
+        let receivers = study.receivers().unwrap();
+        let truth = study.truth(&subject.light(), 0.01, 2048).unwrap();
+        let ours = study.run(Shadows::Verified, 18, &subject.light()).unwrap();
+        let (mut checked, mut outside) = (0, 0);
+        for pixel in seen(&receivers) {
+            let [x, y, z] = receivers[pixel].position.map(f64::from);
+            if z.abs() > 1e-3 || x.abs() > 1.5 || y.abs() > 1.5 {
+                continue;
+            }
+            // The light lies face down: its y is the world's −y.
+            let expected = part_beside_the_edge([x, y], |u, v| inside(u, -v));
+            checked += 1;
+            outside += usize::from((f64::from(truth.visible[pixel]) - expected).abs() > 0.01 + truth.half_width);
+            let error = (f64::from(ours.visible[pixel]) - expected).abs();
+            assert!(error < 0.06, "{light}: V = {} and not {expected} at {x} {y}", ours.visible[pixel]);
+        }
+        assert!(checked > 50 && outside * 20 <= checked, "{light}: {outside} of {checked}");
+    }
+}
+
+/// The part of the irradiance at the floor that a light at height 20 sends past the block from height 5 to 13 on the
+/// side of positive x.
+fn part_beside_the_edge([x, y]: [f64; 2], inside: impl Fn(f64, f64) -> bool) -> f64 {
+    const GRID: i32 = 160;
+    let (mut all, mut passed) = (0.0, 0.0);
+    for i in 0..GRID * GRID {
+        let [u, v] = [i % GRID, i / GRID].map(|k| 3.2 * (2.0 * (f64::from(k) + 0.5) / f64::from(GRID) - 1.0));
+        if !inside(u, v) {
+            continue;
+        }
+        let share = ((u - x).powi(2) + (v - y).powi(2) + 400.0).powi(-2);
+        let at = |height: f64| x + (u - x) * height / 20.0;
+        all += share;
+        passed += if at(5.0) < 0.0 && at(13.0) < 0.0 { share } else { 0.0 };
+    }
+    passed / all
 }
 
 /// The part of a unit disc on the near side of a chord at the signed distance x from its centre.
@@ -198,6 +255,8 @@ fn no_light_is_too_awkward_for_any_method() {
         ("below the horizon", "translate([0, 0, -60])"),
         ("on the floor", "translate([-15, -15, 0])"),
         ("grazing", "translate([300, 0, 2])"),
+        ("far too large", "scale(1e300)"),
+        ("far too far away", "translate([1e300, 0, 1e300])"),
     ];
     let lights = [
         "sphere_light(r = 4)",
@@ -207,6 +266,10 @@ fn no_light_is_too_awkward_for_any_method() {
         "rotate([180, 0, 0]) disk_light(r = 4, two_sided = true)",
         "tube_light(r = 1, length = 20)",
         "sun(angle = 10)",
+        "rotate([180, 0, 0]) rect_light([0.001, 0.001])",
+        "rotate([180, 0, 0]) disk_light(r = 0.001)",
+        "rotate([100, 0, 0]) rect_light([200, 100], two_sided = true)",
+        "rotate([180, 0, 0]) polygon_light([[-4, -3], [4, -3], [0, 5]])",
     ];
     let mut text = format!("camera(eye = [-30, -60, 50], target = [5, 0, 0], fov = 40); {FLOOR} {solids}");
     for (_, place) in places {
@@ -270,16 +333,41 @@ fn pictures_have_the_same_energy_by_every_way_to_light_them() {
             "camera(eye = [40, -70, 50], target = [0, 0, 5], fov = 35);
              color(\"white\", roughness = 0.8) {{ {FLOOR} translate([-8, -8, 0]) cube(14); }} {light};"
         ));
-        let energy = |direct: Direct| {
-            let mut picture = Picture::new(gpu(), &subject.model, subject.view, [48, 48]).unwrap();
-            picture.set_lighting(subject.lighting()).unwrap();
-            picture.set_direct(direct).unwrap();
-            for _ in 0..32 {
-                picture.sample().unwrap();
-            }
-            picture.hdr().unwrap().iter().map(|pixel| f64::from(pixel[1])).sum::<f64>()
-        };
+        let energy = |direct: Direct| energy(&subject, subject.lighting(), direct);
         let (sampled, ours) = (energy(Direct::Sampled), energy(Direct::By(Shadows::Verified)));
         assert!((ours / sampled - 1.0).abs() < 0.03, "{light}: {ours} and not {sampled}");
     }
+}
+
+/// The rig that scenes without lights get: the methods differ in the edges of shadows, not in how much light there is.
+#[test]
+fn the_rig_has_the_same_energy_by_every_method() {
+    let subject = Subject::new(&format!(
+        "camera(eye = [40, -70, 50], target = [0, 0, 5], fov = 35);
+         color(\"white\", roughness = 0.8) {{ {FLOOR} translate([-8, -8, 0]) cube(14); }}"
+    ));
+    let energy = |direct: Direct| energy(&subject, Lighting::studio(0.6), direct);
+    let sampled = energy(Direct::Sampled);
+    for (method, allowed) in [
+        (Shadows::Verified, 0.02),
+        (Shadows::MinimalConePlus, 0.03),
+        (Shadows::MinimalConeExact, 0.03),
+        (Shadows::Quilez2019, 0.03),
+        (Shadows::Aaltonen, 0.05),
+        (Shadows::Hard, 0.05),
+    ] {
+        let by_method = energy(Direct::By(method));
+        assert!((by_method / sampled - 1.0).abs() < allowed, "{}: {by_method} and not {sampled}", method.name());
+    }
+}
+
+/// The sum of a picture's green.
+fn energy(subject: &Subject, lighting: Lighting, direct: Direct) -> f64 {
+    let mut picture = Picture::new(gpu(), &subject.model, subject.view, [48, 48]).unwrap();
+    picture.set_lighting(lighting).unwrap();
+    picture.set_direct(direct).unwrap();
+    for _ in 0..32 {
+        picture.sample().unwrap();
+    }
+    picture.hdr().unwrap().iter().map(|pixel| f64::from(pixel[1])).sum()
 }
