@@ -15,6 +15,12 @@ pub struct FileWorld {
     libraries: Vec<PathBuf>,
 }
 
+impl Default for FileWorld {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl FileWorld {
     /// With the library folders of `OPENSCADPATH`, of the user and of the system, in this order.
     pub fn new() -> Self {
