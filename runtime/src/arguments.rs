@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use chiaro_compiler::shader::Shadows;
-use chiaro_render::Direct;
+use chiaro_render::{Direct, Preference};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::view::View;
@@ -42,6 +42,12 @@ pub(crate) enum MessageFormat {
 /// The subcommands.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    /// Open scenes in the editor: the text at one side, the lit scene at the other.
+    #[cfg(feature = "editor")]
+    Edit(Edit),
+    /// Show a scene in a window, and draw it anew whenever its file is saved.
+    #[cfg(feature = "editor")]
+    Watch(Watch),
     /// Draw a scene into a picture.
     Render(Render),
     /// Compile a scene and report what is wrong with it.
@@ -83,6 +89,32 @@ pub(crate) enum FacetPolicy {
     Exact,
     /// Always a true curve.
     Smooth,
+}
+
+/// Arguments of `edit`.
+#[cfg(feature = "editor")]
+#[derive(Debug, Args)]
+pub(crate) struct Edit {
+    /// The scenes: .csg or .scad files, new ones too. Without any, those that were open the last time.
+    pub(crate) files: Vec<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) adapter: AdapterArguments,
+}
+
+/// Arguments of `watch`.
+#[cfg(feature = "editor")]
+#[derive(Debug, Args)]
+pub(crate) struct Watch {
+    /// The scene: a .csg or .scad file.
+    pub(crate) file: PathBuf,
+
+    /// Set a parameter or another top-level variable, as in -D 'width=20' or -D 'label="A"'.
+    #[arg(short = 'D', value_name = "NAME=VALUE", value_parser = definition)]
+    pub(crate) definitions: Vec<(String, String)>,
+
+    #[command(flatten)]
+    pub(crate) adapter: AdapterArguments,
 }
 
 /// Arguments of `render`.
@@ -136,6 +168,13 @@ pub(crate) struct AdapterArguments {
     /// Use the adapter whose name contains this, as listed by `chiaro adapters`.
     #[arg(long, value_name = "NAME")]
     pub(crate) adapter: Option<String>,
+}
+
+impl AdapterArguments {
+    /// The adapter that the command line asks for.
+    pub(crate) fn preference(&self) -> Preference {
+        self.adapter.clone().map_or(Preference::Any, Preference::Named)
+    }
 }
 
 /// Arguments of `check`.

@@ -21,6 +21,10 @@ fn main() -> ExitCode {
     env_logger::init();
     let arguments = Arguments::parse();
     let result = match &arguments.command {
+        #[cfg(feature = "editor")]
+        Command::Edit(edit) => commands::edit::run(edit),
+        #[cfg(feature = "editor")]
+        Command::Watch(watch) => commands::watch::run(watch),
         Command::Render(render) => commands::render::run(render, &arguments.global),
         Command::Check(check) => commands::check::run(check, &arguments.global),
         Command::Fmt(fmt) => commands::fmt::run(fmt, &arguments.global),

@@ -16,8 +16,10 @@ use crate::{dialogs, gallery, menu, panels, status, text, theme};
 /// How the editor starts.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The scenes to open; none for those of the last time.
+    /// The scenes to open; none for those of the last time. Those that aren't there are new.
     pub files: Vec<PathBuf>,
+    /// Values of top-level variables of the scene, as expressions of the language.
+    pub definitions: Vec<(String, String)>,
     /// What to draw with.
     pub adapter: Preference,
     /// Whether there is only the picture, beside an editor of the user's own.
@@ -70,10 +72,11 @@ impl Editor {
             only_picture: options.only_picture,
             styled: 0.0,
         };
-        let files = if options.files.is_empty() { editor.settings.open.clone() } else { options.files };
-        for file in files {
-            editor.open(&file);
+        match options.files.is_empty() {
+            true => editor.settings.open.clone().iter().for_each(|file| editor.open(file)),
+            false => options.files.iter().for_each(|file| editor.open_or_begin(file)),
         }
+        editor.session.define(options.definitions);
         editor
     }
 
@@ -86,6 +89,17 @@ impl Editor {
                 }
             }
             Err(reason) => self.session.trouble = Some(reason),
+        }
+    }
+
+    /// Opens a file, or begins it if there is none.
+    fn open_or_begin(&mut self, path: &std::path::Path) {
+        if path.exists() {
+            return self.open(path);
+        }
+        match std::path::absolute(path) {
+            Ok(path) => self.session.begin(path),
+            Err(reason) => self.session.trouble = Some(format!("cannot begin {}: {reason}", path.display())),
         }
     }
 

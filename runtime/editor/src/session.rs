@@ -28,6 +28,8 @@ pub(crate) struct Session {
     watch: Watch,
     running: Option<Running>,
     revision: u64,
+    /// Which state of the texts the newest picture is of.
+    drawn: u64,
     /// Values of parameters that are not the text's, by name: expressions of the language.
     pub(crate) definitions: BTreeMap<String, String>,
     /// Values of live numbers that are not the text's.
@@ -87,6 +89,7 @@ impl Session {
             watch: Watch::new(wake),
             running: None,
             revision: 0,
+            drawn: 0,
             definitions: BTreeMap::new(),
             values: Vec::new(),
             outcome: None,
@@ -112,6 +115,21 @@ impl Session {
     /// Opens a text that has no file yet.
     pub(crate) fn open_text(&mut self, text: String) {
         self.add(Document::new(None, text));
+    }
+
+    /// Opens an empty text that will be saved to a file.
+    pub(crate) fn begin(&mut self, path: PathBuf) {
+        self.add(Document::new(Some(path), String::new()));
+        self.watch_files();
+    }
+
+    /// Gives top-level variables of the scene other values.
+    pub(crate) fn define(&mut self, definitions: impl IntoIterator<Item = (String, String)>) {
+        let before = self.definitions.len();
+        self.definitions.extend(definitions);
+        if self.definitions.len() > before {
+            self.compile(None);
+        }
     }
 
     fn add(&mut self, document: Document) {
@@ -224,7 +242,7 @@ impl Session {
     pub(crate) fn compile(&mut self, live: Option<LiveLiteral>) {
         self.revision += 1;
         let mut program = self.program();
-        program.options.live_literals = live.clone().into_iter().collect();
+        program.options.live_literals = live.into_iter().collect();
         let text = self.scene_document().text.clone();
         self.running = Some(Running { text, live, moved: None, settles_after: None });
         self.studio.compile(program);
@@ -298,7 +316,10 @@ impl Session {
                     shown.provenance = Some(provenance);
                 }
             }
-            Event::Frame(frame) => self.frame = Some(frame),
+            Event::Frame(frame) => {
+                self.drawn = frame.revision;
+                self.frame = Some(frame);
+            }
             Event::Trouble(message) => self.trouble = Some(message),
             Event::Device(name) => self.device = name,
             // An older text's.
@@ -346,6 +367,6 @@ impl Session {
 
     /// Whether the picture is of an older text than the one that is open.
     pub(crate) fn is_outdated(&self) -> bool {
-        self.shown.as_ref().is_none_or(|shown| shown.revision != self.revision)
+        self.drawn != self.revision
     }
 }

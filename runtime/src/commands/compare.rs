@@ -10,7 +10,6 @@ use chiaro_render::{Gpu, LightRow, Lighting, Model, Receiver, Study, View};
 use indicatif::ProgressBar;
 
 use crate::arguments::{Compare, FacetPolicy, Global, MethodChoice, SceneArguments};
-use crate::commands::render::preference;
 use crate::comparison::metrics::{self, Answer, Reference};
 use crate::comparison::pictures::Pictures;
 use crate::comparison::{Case, Entry, Group, report, suite};
@@ -18,7 +17,7 @@ use crate::{compile, images, terminal};
 
 pub(crate) fn run(arguments: &Compare, global: &Global) -> Result<ExitCode> {
     let folder = prepared(&arguments.output)?;
-    let gpu = Gpu::new(&preference(&arguments.adapter))?;
+    let gpu = Gpu::new(&arguments.adapter.preference())?;
     let temporary = tempfile::tempdir().context("cannot make a temporary folder")?;
     let subjects = subjects(arguments, temporary.path())?;
 

@@ -13,7 +13,6 @@ use serde::Deserialize;
 use serde_json::json;
 
 use crate::arguments::{Distance, Global};
-use crate::commands::render::preference;
 use crate::{compile, terminal};
 
 /// A line of the input; what else it says is ignored. Lines without a point, such as a header, are passed over.
@@ -31,7 +30,7 @@ pub(crate) fn run(arguments: &Distance, global: &Global) -> Result<ExitCode> {
 fn answer(scene: &Scene, arguments: &Distance, global: &Global) -> Result<ExitCode> {
     let points = read_points(&arguments.points, scene.dimension(), global)?;
     let distances = if arguments.gpu {
-        let gpu = Gpu::new(&preference(&arguments.adapter))?;
+        let gpu = Gpu::new(&arguments.adapter.preference())?;
         let distances = chiaro_render::distances(&gpu, &scene.graph, &scene.defaults(), &points)?;
         distances.into_iter().map(f64::from).collect()
     } else {

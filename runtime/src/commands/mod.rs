@@ -5,5 +5,9 @@ pub(crate) mod check;
 pub(crate) mod compare;
 pub(crate) mod distance;
 pub(crate) mod dump;
+#[cfg(feature = "editor")]
+pub(crate) mod edit;
 pub(crate) mod fmt;
 pub(crate) mod render;
+#[cfg(feature = "editor")]
+pub(crate) mod watch;

@@ -7,10 +7,10 @@ use anyhow::Result;
 use chiaro_compiler::Scene;
 use chiaro_compiler::solid::{Camera, PlacedLight};
 use chiaro_compiler::vocabulary::Bounds;
-use chiaro_render::{Floor, Gpu, Lighting, Model, Picture, Preference, View};
+use chiaro_render::{Floor, Gpu, Lighting, Model, Picture, View};
 use indicatif::ProgressBar;
 
-use crate::arguments::{AdapterArguments, Global, Render, SceneArguments};
+use crate::arguments::{Global, Render, SceneArguments};
 use crate::images::{self, Format};
 use crate::{compile, terminal};
 
@@ -25,7 +25,7 @@ pub(crate) fn run(arguments: &Render, global: &Global) -> Result<ExitCode> {
 }
 
 fn draw(scene: &Scene, arguments: &Render, format: Format, global: &Global) -> Result<ExitCode> {
-    let gpu = Gpu::new(&preference(&arguments.adapter))?;
+    let gpu = Gpu::new(&arguments.adapter.preference())?;
     let mut studio = Studio::new(&gpu, scene, arguments)?;
 
     let frames = arguments.frames.unwrap_or(1);
@@ -62,11 +62,6 @@ fn scene_at(time: f64, arguments: &SceneArguments, global: &Global) -> Result<Op
 /// The camera that the command line asks for, else the scene's.
 fn camera(scene: &Scene, arguments: &Render) -> Camera {
     arguments.view.map_or_else(|| scene.camera.clone(), |view| view.apply(&scene.camera))
-}
-
-/// The adapter that the command line asks for.
-pub(crate) fn preference(arguments: &AdapterArguments) -> Preference {
-    arguments.adapter.clone().map_or(Preference::Any, Preference::Named)
 }
 
 /// A scene with its picture in progress.

@@ -13,11 +13,15 @@ pub(super) fn drag(editor: &mut Editor, ui: &Ui, response: &Response) -> bool {
     let rect = response.rect;
     let divider = rect.left() + *part * rect.width();
     let is_near = |x: f32| (x - divider).abs() <= REACH;
-    let began_near = ui.input(|input| input.pointer.press_origin()).is_some_and(|origin| is_near(origin.x));
     if response.hover_pos().is_some_and(|pointer| is_near(pointer.x)) {
         ui.ctx().set_cursor_icon(CursorIcon::ResizeHorizontal);
     }
-    let is_dragged = response.dragged() && (began_near || is_near(divider + response.drag_delta().x) && began_near);
+    let held = response.id.with("divider");
+    if response.drag_started() {
+        let origin = ui.input(|input| input.pointer.press_origin());
+        ui.data_mut(|data| data.insert_temp(held, origin.is_some_and(|origin| is_near(origin.x))));
+    }
+    let is_dragged = response.dragged() && ui.data(|data| data.get_temp(held)).unwrap_or(false);
     if is_dragged {
         *part = ((divider + response.drag_delta().x - rect.left()) / rect.width()).clamp(0.0, 1.0);
     }
