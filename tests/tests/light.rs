@@ -184,6 +184,30 @@ fn a_half_plane_leaves_a_segment_of_the_disc() {
     assert!(checked > 50 && outside * 20 <= checked, "{outside} of {checked}");
 }
 
+/// The truth of the whole integral is the closed form where nothing is in the way, and V of it where something is.
+#[test]
+fn what_receivers_get_is_the_irradiance_of_what_they_see() {
+    for light in
+        ["translate([0, 30, 12]) sphere_light(r = 6)", "translate([0, 25, 10]) rotate([90, 0, 0]) rect_light([20, 10])"]
+    {
+        let camera = "camera(eye = [0, -40, 40], target = [0, 0, 0], fov = 30);";
+        let subject = Subject::new(&format!("{camera} {FLOOR} translate([2, 10, 0]) cube([30, 1, 12]); {light};"));
+        let mut study = subject.study(24);
+        let receivers = study.receivers().unwrap();
+        let truth = study.truth(&subject.light(), 0.01, 1024).unwrap();
+        let (mut open, mut part) = (0, 0);
+        for pixel in seen(&receivers).filter(|pixel| receivers[*pixel].normal[2] > 0.99) {
+            let (received, irradiance, seen) = (truth.received[pixel], truth.irradiance[pixel], truth.visible[pixel]);
+            let allowed = 0.03 * irradiance + 2.0 * truth.received_half_width as f32;
+            let expected = seen * irradiance;
+            assert!((received - expected).abs() <= allowed, "{light}: E {received} and not {expected} at {seen}");
+            open += usize::from(seen >= 1.0);
+            part += usize::from(seen > 0.0 && seen < 1.0);
+        }
+        assert!(open > 50 && part > 20 && truth.received_half_width < 0.02, "{open}, {part}");
+    }
+}
+
 /// An edge cuts flat lights: the part of the irradiance that is left, in the truth and in ours, against sums over the
 /// light.
 #[test]

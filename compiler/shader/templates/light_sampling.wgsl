@@ -104,7 +104,9 @@ fn tube_drawn(light: Light, p: vec3<f32>, u: vec2<f32>) -> LightSample {
     let across = to_p - dot(to_p, axis) * axis;
     let d = length(across);
     if d <= light.a.w {
-        return LightSample(ball_direction(u), 0.0, 2.0 * TAU);
+        // From within, light is all around; past the ends, which are dark, there is none.
+        let is_inside = abs(dot(to_p, axis)) <= half_length;
+        return LightSample(ball_direction(u), 0.0, select(0.0, 2.0 * TAU, is_inside));
     }
     // Seen is what faces p: cos φ > r/d.
     let widest = acos(light.a.w / d);

@@ -83,6 +83,10 @@ const MOST_LIGHTS: usize = 8;
 
 /// The radius of a light that is said to have none, in millimetres.
 const POINT_RADIUS: f64 = 0.01;
+/// No length is more, in millimetres: kernels multiply up to four.
+const FARTHEST: f64 = 1e9;
+/// No radiance is more, in candela per square metre: ten thousand suns could be added in single precision.
+const MOST_RADIANCE: f64 = 1e30;
 /// Square metres in a square millimetre.
 const SQUARE_METRES: f64 = 1e-6;
 
@@ -277,7 +281,8 @@ impl<'a> Place<'a> {
 impl LightRow {
     fn new(kind: u32, flags: u32, radiance: [f64; 3]) -> Self {
         let zero = [0.0; 4];
-        Self { a: zero, b: zero, c: zero, d: zero, radiance: extended(radiance, 0.0), kind: [kind, flags, 0, 0] }
+        let [red, green, blue] = radiance.map(|x| x.min(MOST_RADIANCE) as f32);
+        Self { a: zero, b: zero, c: zero, d: zero, radiance: [red, green, blue, 0.0], kind: [kind, flags, 0, 0] }
     }
 
     /// A white sphere of radiance 1.
@@ -357,8 +362,10 @@ fn is_rectangle([a, b, c, d]: &[[f64; 3]; 4]) -> bool {
     length(difference(bc, ad)) < close && dot(ab, ad).abs() < close * length(ab).max(length(ad))
 }
 
+/// As the kernels get it. Transforms may take lights farther than single precision reaches: they stay at the end of it.
 fn extended(v: [f64; 3], w: f64) -> [f32; 4] {
-    [v[0] as f32, v[1] as f32, v[2] as f32, w as f32]
+    let single = |x: f64| if x.is_nan() { 0.0 } else { x.clamp(-FARTHEST, FARTHEST) as f32 };
+    [single(v[0]), single(v[1]), single(v[2]), single(w)]
 }
 
 fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

@@ -62,6 +62,11 @@ pub struct Truth {
     pub visible: Vec<f32>,
     /// The irradiance per radiance if nothing covered the light, in closed form.
     pub irradiance: Vec<f32>,
+    /// E: the irradiance per radiance that arrives, ∫ max(cos θ, 0) dω over what is seen of the light, by the same rays.
+    /// A white surface has the radiance E/π.
+    pub received: Vec<f32>,
+    /// What half the 95 % confidence interval of E is at most, but for one in a hundred of the receivers in penumbrae.
+    pub received_half_width: f64,
     /// What half the 95 % confidence interval of V is at most, but for one in a hundred of the receivers in penumbrae.
     /// Of flat lights and tubes, V is weighed by the irradiance as part of the picture's greatest: at a terminator,
     /// where hardly any light arrives, V itself means nothing.
@@ -81,6 +86,8 @@ const STUDENT: f64 = 2.365;
 const AGREEMENT_REACH: usize = 3;
 /// How many random rays a receiver draws in one dispatch.
 const RAYS_AT_ONCE: u32 = 8;
+/// `WITH_IRRADIANCE` of `monte_carlo.wgsl`.
+const WITH_IRRADIANCE: u32 = 1;
 
 impl Outcome {
     /// Adds a share of the rays.
@@ -142,6 +149,15 @@ impl Estimate {
             .filter(in_penumbra)
             .map(|(estimate, weight)| weight * estimate.half_width())
             .collect();
+        half_widths.sort_by(f64::total_cmp);
+        half_widths.get(half_widths.len() * 99 / 100).copied().unwrap_or(0.0)
+    }
+
+    /// The same of E, where `visible` is of V.
+    fn worst_received(received: &[Self], visible: &[Self]) -> f64 {
+        let is_part = |visible: &Self| visible.mean() > 0.0 && visible.mean() < 1.0;
+        let in_penumbrae = received.iter().zip(visible).filter(|(_, visible)| is_part(visible));
+        let mut half_widths: Vec<f64> = in_penumbrae.map(|(received, _)| received.half_width()).collect();
         half_widths.sort_by(f64::total_cmp);
         half_widths.get(half_widths.len() * 99 / 100).copied().unwrap_or(0.0)
     }
@@ -243,6 +259,7 @@ impl Study {
     fn converged(&mut self, light: &LightRow, half_width: f64, most_samples: u32, receivers: &[u8]) -> Result<Truth> {
         let pixels = (self.size[0] * self.size[1]) as usize;
         let mut estimates = vec![Estimate::default(); pixels];
+        let mut received = vec![Estimate::default(); pixels];
         let mut active = vec![true; pixels];
         let mut truth = Truth::default();
         let mut of_each = 0;
@@ -250,10 +267,12 @@ impl Study {
             let batch = if of_each == 0 { RAYS_AT_ONCE } else { of_each };
             for (sequence, first) in (0..SEQUENCES).flat_map(|s| (0..batch / RAYS_AT_ONCE).map(move |k| (s, k))) {
                 let sample = sequence << 16 | (of_each + first * RAYS_AT_ONCE);
-                self.dispatch(Shadows::MonteCarlo, Task::new(0, sample, RAYS_AT_ONCE, self.size), light)?;
+                let task = Task { stage: WITH_IRRADIANCE, ..Task::new(0, sample, RAYS_AT_ONCE, self.size) };
+                self.dispatch(Shadows::MonteCarlo, task, light)?;
                 let rows = self.visibilities()?;
                 for (pixel, row) in rows.iter().enumerate().filter(|(pixel, _)| active[*pixel]) {
                     estimates[pixel].add(sequence as usize, f64::from(row[0]));
+                    received[pixel].add(sequence as usize, f64::from(row[1]));
                     truth.evaluations += f64::from(row[2]) / pixels as f64;
                 }
                 if truth.irradiance.is_empty() {
@@ -270,6 +289,8 @@ impl Study {
             // A sequence has 65536 rays.
             if truth.half_width <= half_width || 2 * truth.samples > most_samples || of_each >= 1 << 15 {
                 truth.visible = estimates.iter().map(|estimate| estimate.mean() as f32).collect();
+                truth.received = received.iter().map(|estimate| estimate.mean() as f32).collect();
+                truth.received_half_width = Estimate::worst_received(&received, &estimates);
                 truth.mean_samples = estimates.iter().map(Estimate::rays).sum::<f64>() / pixels as f64;
                 return Ok(truth);
             }

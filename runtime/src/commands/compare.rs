@@ -199,7 +199,10 @@ impl Subject {
         };
         let truth = self.study.truth(light, arguments.error, arguments.truth_samples)?;
         progress.inc(1);
-        let shade = self.shade(light, &truth.irradiance);
+        let wholes = self.wholes(light, &truth.irradiance);
+        let part =
+            |of: &[f32]| -> Vec<f32> { of.iter().zip(&wholes).map(|(e, whole)| (e / whole).clamp(0.0, 1.0)).collect() };
+        let (shade, received) = (part(&truth.irradiance), part(&truth.received));
         let visible_truth = masked(&truth.visible);
         let Place { folder, index } = *place;
         let pictures = Pictures { folder, index, size: self.size, mask: &mask, shade: &shade };
@@ -209,6 +212,7 @@ impl Subject {
             mask: &mask,
             truth: &visible_truth,
             shade: &shade,
+            received: &received,
             by_irradiance: light.round_solid_angle([0.0; 3]).is_none(),
         };
         let mut entries = Vec::new();
@@ -217,6 +221,7 @@ impl Subject {
             let visible = masked(&outcome.visible);
             let answer = Answer {
                 visible: &visible,
+                bare: &outcome.bare,
                 evaluations: &outcome.evaluations,
                 milliseconds: 1e3 * outcome.time.as_secs_f64(),
             };
@@ -239,13 +244,13 @@ impl Subject {
         })
     }
 
-    /// The mean clamped cosine over a round light, or the irradiance of another as a part of the picture's greatest.
-    fn shade(&self, light: &LightRow, irradiance: &[f32]) -> Vec<f32> {
+    /// What irradiances are told as parts of: the solid angle of a round light, so that a part is its mean cosine, or the
+    /// picture's greatest irradiance.
+    fn wholes(&self, light: &LightRow, irradiance: &[f32]) -> Vec<f32> {
         let most = irradiance.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
-        let whole = |receiver: &Receiver| match light.round_solid_angle(receiver.position.map(f64::from)) {
-            Some(solid_angle) => solid_angle as f32,
-            None => most,
+        let whole = |receiver: &Receiver| {
+            light.round_solid_angle(receiver.position.map(f64::from)).map_or(most, |solid_angle| solid_angle as f32)
         };
-        irradiance.iter().zip(&self.receivers).map(|(e, receiver)| (e / whole(receiver)).clamp(0.0, 1.0)).collect()
+        self.receivers.iter().map(whole).collect()
     }
 }

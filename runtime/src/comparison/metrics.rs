@@ -18,6 +18,9 @@ pub(crate) struct Score {
     /// The same of the shaded pictures.
     pub(crate) shaded: f64,
     pub(crate) shaded_deviation: f64,
+    /// The same of pictures shaded with the whole integral: with E₀ V/V₀ as pictures are, the truth with E.
+    pub(crate) lit: f64,
+    pub(crate) lit_deviation: f64,
     /// The mean of the SSIM of V within three pixels of a penumbra.
     pub(crate) penumbra: f64,
     /// Of V over the pixels that see a surface.
@@ -40,6 +43,8 @@ impl Score {
             ssim_deviation: of(|s| s.ssim_deviation),
             shaded: of(|s| s.shaded),
             shaded_deviation: of(|s| s.shaded_deviation),
+            lit: of(|s| s.lit),
+            lit_deviation: of(|s| s.lit_deviation),
             penumbra: of(|s| s.penumbra),
             rmse: of(|s| s.rmse),
             bias: of(|s| s.bias),
@@ -60,6 +65,8 @@ pub(crate) struct Reference<'a> {
     pub(crate) truth: &'a [f32],
     /// What V is multiplied by in the shaded picture, from 0 to 1.
     pub(crate) shade: &'a [f32],
+    /// The true irradiance in the same measure.
+    pub(crate) received: &'a [f32],
     /// Whether V counts by irradiance: it is weighed by `shade` then, for at a terminator, where hardly any light
     /// arrives, what part of it is seen means nothing.
     pub(crate) by_irradiance: bool,
@@ -74,7 +81,10 @@ impl Reference<'_> {
 
 /// What a method answered.
 pub(crate) struct Answer<'a> {
+    /// V.
     pub(crate) visible: &'a [f32],
+    /// V₀, what is seen if nothing but the horizon is in the way.
+    pub(crate) bare: &'a [f32],
     pub(crate) evaluations: &'a [f32],
     pub(crate) milliseconds: f64,
 }
@@ -84,9 +94,10 @@ pub(crate) fn score(reference: &Reference, answer: &Answer) -> (Score, Vec<f32>)
     let Reference { width, mask, truth, shade, .. } = *reference;
     let (visible, truth_weighed) = (reference.weighed(answer.visible), reference.weighed(truth));
     let map = ssim::map(width, &visible, &truth_weighed);
-    let shaded = ssim::map(width, &shaded(mask, answer.visible, shade), &shaded(mask, truth, shade));
+    let of_shaded = ssim::map(width, &shaded(mask, answer.visible, shade), &shaded(mask, truth, shade));
+    let (lit, lit_deviation) = lit(reference, answer);
     let (ssim, ssim_deviation) = moments(map.iter().copied());
-    let (shaded, shaded_deviation) = moments(shaded.iter().copied());
+    let (shaded, shaded_deviation) = moments(of_shaded.iter().copied());
     let near = near_penumbra(width, mask, truth);
     let (penumbra, _) = moments(map.iter().zip(&near).filter(|(_, near)| **near).map(|(s, _)| *s));
 
@@ -100,6 +111,8 @@ pub(crate) fn score(reference: &Reference, answer: &Answer) -> (Score, Vec<f32>)
         ssim_deviation,
         shaded,
         shaded_deviation,
+        lit,
+        lit_deviation,
         penumbra,
         rmse: (errors.iter().map(|e| e * e).sum::<f64>() / count).sqrt(),
         bias: errors.iter().sum::<f64>() / count,
@@ -109,6 +122,16 @@ pub(crate) fn score(reference: &Reference, answer: &Answer) -> (Score, Vec<f32>)
         milliseconds: answer.milliseconds,
     };
     (score, map)
+}
+
+/// Mean and standard deviation of the SSIM of the whole integral.
+fn lit(reference: &Reference, answer: &Answer) -> (f64, f64) {
+    let Reference { width, mask, shade, received, .. } = *reference;
+    let part: Vec<f32> =
+        answer.visible.iter().zip(answer.bare).map(|(v, bare)| if *bare > 0.0 { v / bare } else { 0.0 }).collect();
+    let whole = vec![1.0; part.len()];
+    let map = ssim::map(width, &shaded(mask, &part, shade), &shaded(mask, &whole, received));
+    moments(map.iter().copied())
 }
 
 /// The picture that is compared besides V: a matt grey under the light, in the sRGB-like curve of exponent 1/2.2.

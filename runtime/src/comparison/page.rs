@@ -180,7 +180,7 @@ fn table(scores: &[(String, Score)]) -> String {
     let (best_ssim, best_shaded) = (best(|s| s.ssim), best(|s| s.shaded));
     let mark = |is_best: bool| if is_best { " class=\"best\"" } else { "" };
     let mut html = format!(
-        "<div class=\"scroll\"><table><tr><th>method<th>SSIM of V<th>in penumbrae<th>shaded<th>RMSE<th>bias<th>worst\
+        "<div class=\"scroll\"><table><tr><th>method<th>SSIM of V<th>in penumbrae<th>shaded<th>lit<th>RMSE<th>bias<th>worst\
          <th>evaluations<th>95 %<th>ms<th>× {}<th>× {}</tr>",
         YARDSTICKS[0].1, YARDSTICKS[1].1
     );
@@ -189,7 +189,7 @@ fn table(scores: &[(String, Score)]) -> String {
         let class = if method.starts_with("verified") { " class=\"ours\"" } else { "" };
         let _ = write!(
             html,
-            "<tr{class}><td>{}<td{}>{:.4} <small>± {:.3}</small><td>{:.4}<td{}>{:.4} <small>± {:.3}</small><td>{:.4}\
+            "<tr{class}><td>{}<td{}>{:.4} <small>± {:.3}</small><td>{:.4}<td{}>{:.4} <small>± {:.3}</small><td>{:.4} <small>± {:.3}</small><td>{:.4}\
              <td>{:+.4}<td>{:.3}<td>{:.1}<td>{:.0}<td>{:.1}<td>{aaltonen}<td>{quilez}</tr>",
             escaped(method),
             mark(s.ssim == best_ssim),
@@ -199,6 +199,8 @@ fn table(scores: &[(String, Score)]) -> String {
             mark(s.shaded == best_shaded),
             s.shaded,
             s.shaded_deviation,
+            s.lit,
+            s.lit_deviation,
             s.rmse,
             s.bias,
             s.most,
@@ -217,7 +219,8 @@ angle, of flat lights and tubes the part of the irradiance, with the point's own
 Student's 95 % interval over the eight means is as narrow as was asked or the rays run out.</p>
 <p><b>SSIM</b> is that of Wang, Bovik, Sheikh, Simoncelli (2004): a Gaussian window of 11 × 11 with σ = 1.5, K₁ = 0.01, K₂ = 0.03. \
 “In penumbrae” is its mean within three pixels of one. The shaded picture is (0.75 V E₀/Ω + 0.06)<sup>1/2.2</sup> of a matt \
-grey on a background of 0.55; E₀ is the irradiance of the uncovered light and Ω its solid angle, or the greatest E₀ of a flat \
+grey on a background of 0.55; “lit” is the same picture with the whole integral in it: E by random rays in the truth, \
+E₀ V/V₀ of the methods, as pictures are lit. E₀ is the irradiance of the uncovered light and Ω its solid angle, or the greatest E₀ of a flat \
 light. V of flat lights and tubes is compared as V E₀/Ω: at a terminator, where hardly any light arrives, V means nothing.</p>
 <p><b>Cost.</b> Evaluations of the scene for a pixel that sees a surface, their mean and 95th percentile; milliseconds by the \
 device's timestamps, or by the processor's clock on software adapters, without compiling.</p>

@@ -41,6 +41,8 @@ pub(super) const MODULES: &[Module] = &[
     },
 ];
 
+/// No light is larger, in millimetres: pictures know lengths in single precision, and multiply up to four.
+const LARGEST: f64 = 1e9;
 /// The luminous flux of a light that doesn't say, in lumens.
 const POWER: f64 = 1000.0;
 /// The illuminance of a sun that doesn't say, in lux.
@@ -204,6 +206,10 @@ fn check_size(size: &Scalar, least: Least, span: Span) -> Result<(), Stop> {
     }
     if decide::is_negative(size, span, "whether a light's size is negative")? {
         return Err(error(span, "the size of a light cannot be negative"));
+    }
+    if decide::is_negative(&(Scalar::from(LARGEST) - size.clone()), span, "whether a light is too large")? {
+        let large = Diagnostic::error(span, "the size of a light cannot be more than 1000 km");
+        return Err(Stop::Error(Box::new(large.with_hint("light from very far away is that of a `sun`"))));
     }
     if least == Least::More && size.is(0.0) {
         let none = Diagnostic::error(span, "a light of this shape needs a size");

@@ -6,6 +6,7 @@ use chiaro_syntax::{Diagnostic, Span};
 use super::super::arguments::numbers;
 use super::super::instance::{Instance, error};
 use super::super::{Stop, decide};
+use super::LARGEST;
 use crate::value::Value;
 
 type Corner = [f64; 2];
@@ -55,6 +56,9 @@ fn points(value: &Value, span: Span) -> Result<Vec<Corner>, Stop> {
         let corner = [decide::constant(x, span, reason)?, decide::constant(y, span, reason)?];
         if !corner.iter().all(|coordinate| coordinate.is_finite()) {
             return Err(error(span, format!("point {index} of this light is not finite")));
+        }
+        if corner.iter().any(|coordinate| coordinate.abs() > LARGEST) {
+            return Err(error(span, format!("point {index} of this light is farther away than 1000 km")));
         }
         if corners.last() != Some(&corner) {
             corners.push(corner);
