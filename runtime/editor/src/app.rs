@@ -141,6 +141,7 @@ impl eframe::App for Editor {
             ui.ctx().request_repaint_after(due);
         }
         self.advance_clock(ui);
+        panels::follow(self);
         self.recovery.keep(ui.ctx(), self.session.documents());
         menu::shortcuts(self, &ui.ctx().clone());
         if !self.only_picture {

@@ -6,6 +6,7 @@ use crate::app::Editor;
 use crate::dialogs::export::Export;
 use crate::dialogs::record::Record;
 use crate::settings::Panel;
+use crate::text::Command as TextCommand;
 
 /// A thing to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,10 +21,7 @@ pub(crate) enum Command {
     Screenshot,
     Record,
     Quit,
-    Undo,
-    Redo,
-    Format,
-    Definition,
+    Text(TextCommand),
     FrameAll,
     FrameSelection,
     Play,
@@ -38,7 +36,7 @@ const CTRL_SHIFT: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
 
 impl Command {
     /// All of them, in the order of the menus.
-    pub(crate) const ALL: [Command; 21] = [
+    pub(crate) const ALL: [Command; 26] = [
         Command::New,
         Command::Open,
         Command::Save,
@@ -49,10 +47,15 @@ impl Command {
         Command::Screenshot,
         Command::Record,
         Command::Quit,
-        Command::Undo,
-        Command::Redo,
-        Command::Format,
-        Command::Definition,
+        Command::Text(TextCommand::Undo),
+        Command::Text(TextCommand::Redo),
+        Command::Text(TextCommand::Find),
+        Command::Text(TextCommand::Replace),
+        Command::Text(TextCommand::GoToLine),
+        Command::Text(TextCommand::Definition),
+        Command::Text(TextCommand::Back),
+        Command::Text(TextCommand::ToggleComment),
+        Command::Text(TextCommand::Format),
         Command::FrameAll,
         Command::FrameSelection,
         Command::Play,
@@ -75,10 +78,7 @@ impl Command {
             Command::Screenshot => "Screenshot…",
             Command::Record => "Record…",
             Command::Quit => "Quit",
-            Command::Undo => "Undo",
-            Command::Redo => "Redo",
-            Command::Format => "Format",
-            Command::Definition => "Go to definition",
+            Command::Text(command) => command.name(),
             Command::FrameAll => "Frame all",
             Command::FrameSelection => "Frame selection",
             Command::Play => "Play or pause $t",
@@ -103,10 +103,7 @@ impl Command {
             Command::Screenshot => shortcut(CTRL_SHIFT, Key::E),
             Command::Record => shortcut(CTRL_SHIFT, Key::R),
             Command::Quit => shortcut(CTRL, Key::Q),
-            Command::Undo => shortcut(CTRL, Key::Z),
-            Command::Redo => shortcut(CTRL_SHIFT, Key::Z),
-            Command::Format => shortcut(CTRL_SHIFT, Key::F),
-            Command::Definition => shortcut(Modifiers::NONE, Key::F12),
+            Command::Text(command) => command.shortcut(),
             Command::FrameAll => shortcut(Modifiers::NONE, Key::F6),
             Command::FrameSelection => shortcut(Modifiers::NONE, Key::F7),
             Command::Play => shortcut(Modifiers::NONE, Key::F5),
@@ -117,18 +114,12 @@ impl Command {
         }
     }
 
-    /// Whether the text panel looks at its key itself, while one writes there.
-    pub(crate) fn is_of_text(self) -> bool {
-        use Command::{Definition, Format, Redo, Undo};
-        matches!(self, Undo | Redo | Format | Definition)
-    }
-
     /// Whether it can be done now.
     pub(crate) fn is_possible(self, editor: &Editor) -> bool {
         let session = &editor.session;
         match self {
-            Command::Undo => session.active().history.can_undo(),
-            Command::Redo => session.active().history.can_redo(),
+            Command::Text(TextCommand::Undo) => session.active().history.can_undo(),
+            Command::Text(TextCommand::Redo) => session.active().history.can_redo(),
             Command::SaveAll => session.documents().iter().any(|document| document.is_modified()),
             Command::Export | Command::Screenshot | Command::Record => session.shown.is_some(),
             Command::FrameSelection => editor.viewport.selection.is_some(),
@@ -156,10 +147,7 @@ impl Command {
                     context.send_viewport_cmd(ViewportCommand::Close);
                 }
             }
-            Command::Undo => editor.undo(),
-            Command::Redo => editor.redo(),
-            Command::Format => editor.format(),
-            Command::Definition => editor.go_to_definition(),
+            Command::Text(command) => editor.text_command(command),
             Command::FrameAll => editor.viewport.frame_all(),
             Command::FrameSelection => crate::viewport::frame_selection(editor),
             Command::Play => editor.clock.toggle(),
@@ -172,36 +160,6 @@ impl Command {
 }
 
 impl Editor {
-    fn undo(&mut self) {
-        if self.session.active_mut().undo() {
-            self.session.text_changed();
-        }
-    }
-
-    fn redo(&mut self) {
-        if self.session.active_mut().redo() {
-            self.session.text_changed();
-        }
-    }
-
-    /// Writes the text as it is written well.
-    fn format(&mut self) {
-        let document = self.session.active_mut();
-        let (text, caret) = (chiaro_assist::format(&document.text), document.caret);
-        if text != document.text {
-            document.replace(text, caret, false);
-            self.session.text_changed();
-        }
-    }
-
-    /// Goes to where what is at the caret is defined.
-    fn go_to_definition(&mut self) {
-        let document = self.session.active();
-        if let Some(range) = chiaro_assist::definition(&document.text, document.caret) {
-            self.reveal(range);
-        }
-    }
-
     /// Shows one of the panels at the right.
     pub(crate) fn show_panel(&mut self, panel: Panel) {
         (self.settings.panel, self.settings.shows_panel) = (panel, true);

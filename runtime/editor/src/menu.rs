@@ -15,38 +15,36 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     egui::MenuBar::new().ui(ui, |ui| {
         ui.menu_button("File", |ui| file(editor, ui));
         ui.menu_button("Edit", |ui| {
-            items(editor, ui, &[Command::Undo, Command::Redo]);
-            ui.separator();
-            items(editor, ui, &[Command::Definition]);
-            ui.separator();
-            items(editor, ui, &[Command::Format]);
+            use crate::text::Command::{Back, Definition, Find, Format, GoToLine, Redo, Replace, ToggleComment, Undo};
+            for group in [&[Undo, Redo][..], &[Find, Replace], &[GoToLine, Definition, Back], &[ToggleComment, Format]]
+            {
+                if group[0] != Undo {
+                    ui.separator();
+                }
+                items(editor, ui, &group.iter().copied().map(Command::Text).collect::<Vec<_>>());
+            }
         });
         ui.menu_button("View", |ui| view(editor, ui));
         ui.menu_button("Help", |ui| items(editor, ui, &[Command::Keys]));
     });
 }
 
-/// Does what the keys ask for.
+/// Does what the keys ask for, but for those of the text, which sees to them itself.
 pub(crate) fn shortcuts(editor: &mut Editor, context: &Context) {
     if editor.dialogs.is_blocking() {
         return;
     }
-    let is_writing = context.text_edit_focused();
     // Of short cuts that differ by a modifier, the one with more of them is looked for first.
-    let mut commands: Vec<_> =
-        Command::ALL.into_iter().filter_map(|command| Some((command, command.shortcut()?))).collect();
+    let is_own = |command: &Command| !matches!(command, Command::Text(_));
+    let own = Command::ALL.into_iter().filter(is_own);
+    let mut commands: Vec<_> = own.filter_map(|command| Some((command, command.shortcut()?))).collect();
     commands.sort_by_key(|(_, shortcut)| {
         let modifiers = shortcut.modifiers;
         std::cmp::Reverse(u8::from(modifiers.shift) + u8::from(modifiers.alt) + u8::from(modifiers.command))
     });
     for (command, shortcut) in commands {
-        let is_here = !(is_writing && command.is_of_text());
         let is_allowed = !editor.only_picture || matches!(command, Command::Quit | Command::FrameAll | Command::Play);
-        if is_here
-            && is_allowed
-            && context.input_mut(|input| input.consume_shortcut(&shortcut))
-            && command.is_possible(editor)
-        {
+        if is_allowed && context.input_mut(|input| input.consume_shortcut(&shortcut)) && command.is_possible(editor) {
             command.run(editor, context);
         }
     }

@@ -30,6 +30,8 @@ pub(crate) struct Session {
     revision: u64,
     /// Which state of the texts the newest picture is of.
     drawn: u64,
+    /// What the command line said about top-level variables.
+    given: Vec<(String, String)>,
     /// Values of parameters that are not the text's, by name: expressions of the language.
     pub(crate) definitions: BTreeMap<String, String>,
     /// Values of live numbers that are not the text's.
@@ -90,6 +92,7 @@ impl Session {
             running: None,
             revision: 0,
             drawn: 0,
+            given: Vec::new(),
             definitions: BTreeMap::new(),
             values: Vec::new(),
             outcome: None,
@@ -123,11 +126,10 @@ impl Session {
         self.watch_files();
     }
 
-    /// Gives top-level variables of the scene other values.
-    pub(crate) fn define(&mut self, definitions: impl IntoIterator<Item = (String, String)>) {
-        let before = self.definitions.len();
-        self.definitions.extend(definitions);
-        if self.definitions.len() > before {
+    /// Gives top-level variables of every scene other values.
+    pub(crate) fn define(&mut self, definitions: Vec<(String, String)>) {
+        self.given = definitions;
+        if !self.given.is_empty() {
             self.compile(None);
         }
     }
@@ -180,8 +182,15 @@ impl Session {
         self.active
     }
 
+    /// Shows a text. It is drawn too, unless it is a part of the scene that is.
     pub(crate) fn activate(&mut self, index: usize) {
         self.active = index.min(self.documents.len() - 1);
+        let (id, name) = (self.active().id, self.active().name());
+        let is_part =
+            self.outcome.as_ref().is_none_or(|outcome| outcome.sources.iter().any(|(_, file)| file.name == name));
+        if id != self.scene && !is_part {
+            self.draw(id);
+        }
     }
 
     /// The text that is being edited.
@@ -252,7 +261,9 @@ impl Session {
     pub(crate) fn program(&self) -> Program {
         let buffers: Buffers =
             Arc::new(self.documents.iter().map(|open| (open.name(), open.text.as_str().into())).collect());
-        let definitions = self.definitions.iter().map(|(name, value)| (name.clone(), value.clone())).collect();
+        let mut definitions: BTreeMap<String, String> = self.given.iter().cloned().collect();
+        definitions.extend(self.definitions.clone());
+        let definitions = definitions.into_iter().collect();
         let options = chiaro_compiler::Options { definitions, ..Default::default() };
         Program { revision: self.revision, main: self.scene_document().name(), buffers, options }
     }

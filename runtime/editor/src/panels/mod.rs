@@ -1,23 +1,60 @@
 //! The panel at the right: parameters, solids, messages, shader, timings.
 
+pub(crate) mod messages;
+mod parameters;
+mod shader;
+mod solids;
 pub(crate) mod time;
+mod timings;
 
-use egui::Ui;
+use chiaro_compiler::syntax::Severity;
+use egui::{RichText, Ui};
 
 use crate::app::Editor;
 use crate::settings::Panel;
 
 /// What the panels remember.
 #[derive(Default)]
-pub(crate) struct Panels {}
+pub(crate) struct Panels {
+    parameters: parameters::Parameters,
+    solids: solids::Solids,
+    shader: shader::ShaderText,
+    timings: timings::History,
+}
 
 /// Shows the panel that is chosen.
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.add_space(2.0);
     ui.horizontal_wrapped(|ui| {
         for panel in Panel::ALL {
-            ui.selectable_value(&mut editor.settings.panel, panel, panel.name());
+            let name = name(editor, ui, panel);
+            ui.selectable_value(&mut editor.settings.panel, panel, name);
         }
     });
     ui.separator();
+    match editor.settings.panel {
+        Panel::Parameters => parameters::show(editor, ui),
+        Panel::Solids => solids::show(editor, ui),
+        Panel::Messages => messages::show(editor, ui),
+        Panel::Shader => shader::show(editor, ui),
+        Panel::Timings => timings::show(editor, ui),
+    }
+}
+
+/// Keeps up with what happens, whether the panels are shown or not.
+pub(crate) fn follow(editor: &mut Editor) {
+    editor.panels.timings.note(editor.viewport.timings);
+    parameters::follow(editor);
+}
+
+/// The tab's name. That of the messages counts what is wrong.
+fn name(editor: &Editor, ui: &Ui, panel: Panel) -> RichText {
+    let [errors, warnings] = messages::counts(editor);
+    let (count, severity) = if errors > 0 { (errors, Severity::Error) } else { (warnings, Severity::Warning) };
+    match panel {
+        Panel::Messages if count > 0 => {
+            RichText::new(format!("{} ({count})", panel.name())).color(messages::color(ui.visuals(), severity))
+        }
+        _ => RichText::new(panel.name()),
+    }
 }
