@@ -1,7 +1,7 @@
 //! The graphics device.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
 use pollster::block_on;
@@ -11,6 +11,7 @@ use wgpu::{
 };
 
 use crate::error::{Error, Result};
+use crate::kernel::Kernel;
 use crate::picture::BYTES_PER_PIXEL;
 
 /// How long one submission may take. Software drivers compile large shaders within their first one.
@@ -51,6 +52,8 @@ pub struct Gpu {
     description: AdapterDescription,
     fault: Arc<Mutex<Option<Error>>>,
     pipelines: Arc<AtomicUsize>,
+    /// What resolves pictures, once one was made.
+    pub(crate) resolve: Arc<OnceLock<Kernel>>,
 }
 
 /// The graphics adapters of this machine, best first.
@@ -82,6 +85,7 @@ impl Gpu {
             required_features: adapter.features() & Features::TIMESTAMP_QUERY,
             required_limits: Limits {
                 max_buffer_size: offered.max_buffer_size,
+                max_storage_buffers_per_shader_stage: offered.max_storage_buffers_per_shader_stage,
                 max_storage_buffer_binding_size: offered.max_storage_buffer_binding_size,
                 max_uniform_buffer_binding_size: offered.max_uniform_buffer_binding_size,
                 max_texture_dimension_2d: offered.max_texture_dimension_2d,
@@ -104,7 +108,7 @@ impl Gpu {
                 lock(&lost).get_or_insert(Error::Lost(one_line(&message)));
             }
         });
-        Ok(Self { device, queue, description, fault, pipelines: Arc::default() })
+        Ok(Self { device, queue, description, fault, pipelines: Arc::default(), resolve: Arc::default() })
     }
 
     /// What draws.

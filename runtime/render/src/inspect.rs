@@ -126,11 +126,10 @@ impl Inspector {
     pub fn new(gpu: &Gpu, model: &Model) -> Result<Self> {
         let own = [(1, Slot::ReadWrite), (2, Slot::ReadWrite), (3, Slot::ReadWrite)];
         let slots = [&[(0, Slot::Read)], &own[..], &[(4, Slot::Read)]].concat();
-        let source = Source::of(&model.graph, Template::Inspect(Inspect::Surface))?;
         Ok(Self {
             gpu: gpu.clone(),
             model: model.clone(),
-            surface: Program::new(gpu, source, "inspect", true, &slots)?,
+            surface: model.program(gpu, Template::Inspect(Inspect::Surface), "inspect", &slots)?,
             section: None,
             classes: None,
             view: buffer(gpu, "view", Slot::Uniform, size_of::<ViewUniform>() as u64)?,
@@ -292,8 +291,8 @@ impl Inspector {
     fn sections(&mut self, goes_on: &dyn Fn() -> bool) -> Result<Option<Vec<[f32; 4]>>> {
         if self.section.is_none() {
             let slots = [(0, Slot::Read), (1, Slot::ReadWrite)];
-            let source = Source::of(&self.model.graph, Template::Inspect(Inspect::Section))?;
-            self.section = Some(Program::new(&self.gpu, source, "section", true, &slots)?);
+            let template = Template::Inspect(Inspect::Section);
+            self.section = Some(self.model.program(&self.gpu, template, "section", &slots)?);
         }
         let (Some(program), Some(screen)) = (&self.section, &self.screen) else { return Ok(None) };
         program.set_parameters(&self.gpu, &screen.look.parameters)?;

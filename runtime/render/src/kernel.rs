@@ -1,9 +1,10 @@
 //! Compute pipelines and what is bound to them.
 
 use std::borrow::Cow;
+use std::mem::take;
 use std::time::{Duration, Instant};
 
-use naga::Module;
+use naga::{AddressSpace, Block, Expression, Function, GlobalVariable, Handle, Module, Span, Statement, StorageAccess};
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry,
     BindingResource, BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, ComputePassDescriptor,
@@ -41,6 +42,7 @@ impl Kernel {
     /// Compiles an entry point of a module; the slots of each of its groups come with their binding's number.
     pub(crate) fn new(gpu: &Gpu, module: Module, entry: &str, groups: &[&[(u32, Slot)]]) -> Result<Self> {
         let device = &gpu.device;
+        let module = if gpu.description().software { without_uniforms(module) } else { module };
         let kernel = gpu.checked(|| {
             let layouts: Vec<BindGroupLayout> = groups.iter().map(|slots| layout(gpu, entry, slots)).collect();
             let references: Vec<Option<&BindGroupLayout>> = layouts.iter().map(Some).collect();
@@ -145,16 +147,53 @@ pub(crate) fn workgroups(pixels: [u32; 2]) -> [u32; 2] {
     pixels.map(|count| count.div_ceil(8))
 }
 
+/// The same module, but what it had as uniforms it copies from storage when it starts.
+///
+/// Practice: lavapipe compiles a kernel anew, and keeps what it compiled, for every dispatch if a uniform alone decides a
+/// branch. Reading storage within loops would be slow, for it is read for one invocation after the other there.
+fn without_uniforms(mut module: Module) -> Module {
+    let uniforms: Vec<_> = module
+        .global_variables
+        .iter()
+        .filter(|(_, variable)| variable.space == AddressSpace::Uniform)
+        .map(|(handle, variable)| (handle, variable.clone()))
+        .collect();
+    for (copy, uniform) in uniforms {
+        let space = AddressSpace::Storage { access: StorageAccess::LOAD };
+        let stored = module.global_variables.append(GlobalVariable { space, ..uniform }, Span::UNDEFINED);
+        let private = &mut module.global_variables[copy];
+        (private.space, private.binding) = (AddressSpace::Private, None);
+        for entry in &mut module.entry_points {
+            copy_first(&mut entry.function, stored, copy);
+        }
+    }
+    module
+}
+
+/// Makes a function begin by copying a variable to another.
+fn copy_first(function: &mut Function, from: Handle<GlobalVariable>, to: Handle<GlobalVariable>) {
+    let expressions = &mut function.expressions;
+    let source = expressions.append(Expression::GlobalVariable(from), Span::UNDEFINED);
+    let pointer = expressions.append(Expression::GlobalVariable(to), Span::UNDEFINED);
+    let before = expressions.len();
+    let value = expressions.append(Expression::Load { pointer: source }, Span::UNDEFINED);
+    let mut body = Block::new();
+    body.push(Statement::Emit(expressions.range_from(before)), Span::UNDEFINED);
+    body.push(Statement::Store { pointer, value }, Span::UNDEFINED);
+    body.extend_block(take(&mut function.body));
+    function.body = body;
+}
+
 fn layout(gpu: &Gpu, label: &str, slots: &[(u32, Slot)]) -> BindGroupLayout {
-    let entries: Vec<BindGroupLayoutEntry> = slots.iter().map(|&(binding, slot)| entry(binding, slot)).collect();
+    let entries: Vec<BindGroupLayoutEntry> = slots.iter().map(|&(binding, slot)| entry(gpu, binding, slot)).collect();
     gpu.device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
 }
 
-fn entry(binding: u32, slot: Slot) -> BindGroupLayoutEntry {
+fn entry(gpu: &Gpu, binding: u32, slot: Slot) -> BindGroupLayoutEntry {
     let buffer = |ty| BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
     let ty = match slot {
-        Slot::Uniform => buffer(BufferBindingType::Uniform),
-        Slot::Read => buffer(BufferBindingType::Storage { read_only: true }),
+        Slot::Uniform if !gpu.description().software => buffer(BufferBindingType::Uniform),
+        Slot::Uniform | Slot::Read => buffer(BufferBindingType::Storage { read_only: true }),
         Slot::ReadWrite | Slot::Groups => buffer(BufferBindingType::Storage { read_only: false }),
         Slot::Pixels => BindingType::StorageTexture {
             access: StorageTextureAccess::WriteOnly,
@@ -169,7 +208,7 @@ fn entry(binding: u32, slot: Slot) -> BindGroupLayoutEntry {
 pub(crate) fn buffer(gpu: &Gpu, what: &'static str, slot: Slot, bytes: u64) -> Result<Buffer> {
     let limits = gpu.device.limits();
     let (usage, binding_limit) = match slot {
-        Slot::Uniform => (BufferUsages::UNIFORM, limits.max_uniform_buffer_binding_size),
+        Slot::Uniform => (BufferUsages::UNIFORM | BufferUsages::STORAGE, limits.max_uniform_buffer_binding_size),
         Slot::Groups => (BufferUsages::STORAGE | BufferUsages::INDIRECT, limits.max_storage_buffer_binding_size),
         _ => (BufferUsages::STORAGE, limits.max_storage_buffer_binding_size),
     };

@@ -1,6 +1,7 @@
 //! A scene, compiled for a device.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use chiaro_field::Graph;
 use chiaro_shader::{GLOSS_TABLE, Template, bindings, splice};
@@ -25,10 +26,18 @@ pub struct Model {
     /// Outside there is nothing to draw.
     pub(crate) bounds: Bounds,
     pub(crate) lipschitz: f64,
-    /// The live numbers' present values.
-    parameters: Arc<Mutex<Vec<f64>>>,
+    live: Arc<Mutex<Live>>,
     /// Whether the scene has a lowest point that a floor could be under.
     has_lower_end: bool,
+}
+
+/// What clones of a model share.
+#[derive(Debug, Default)]
+struct Live {
+    /// The live numbers' present values.
+    parameters: Vec<f64>,
+    /// What was compiled beside the prepass and the trace.
+    programs: HashMap<Template, Program>,
 }
 
 /// The starting depths, the sums, the receivers, the lights.
@@ -64,7 +73,7 @@ impl Model {
             trace: Program::new(gpu, trace, "trace", true, &TRACE_SLOTS)?,
             bounds: drawn_bounds(&facts.bounds),
             lipschitz: facts.lipschitz,
-            parameters: Arc::default(),
+            live: Arc::default(),
             has_lower_end: facts.bounds.min[2].is_finite(),
         };
         model.set_parameters(gpu, parameters)?;
@@ -85,13 +94,32 @@ impl Model {
     pub fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
         self.prepass.set_parameters(gpu, parameters)?;
         self.trace.set_parameters(gpu, parameters)?;
-        *self.parameters.lock().unwrap_or_else(PoisonError::into_inner) = parameters.to_vec();
+        let mut live = self.live();
+        live.programs.values().try_for_each(|program| program.set_parameters(gpu, parameters))?;
+        live.parameters = parameters.to_vec();
         Ok(())
     }
 
     /// The live numbers' present values.
     pub(crate) fn parameters(&self) -> Vec<f64> {
-        self.parameters.lock().unwrap_or_else(PoisonError::into_inner).clone()
+        self.live().parameters.clone()
+    }
+
+    /// The scene in a template that has a view, compiled when first asked for; `own` are the slots of the template's own
+    /// group. It follows the live numbers.
+    pub(crate) fn program(&self, gpu: &Gpu, template: Template, entry: &str, own: &[(u32, Slot)]) -> Result<Program> {
+        let mut live = self.live();
+        if let Some(program) = live.programs.get(&template) {
+            return Ok(program.clone());
+        }
+        let program = Program::new(gpu, Source::of(&self.graph, template)?, entry, true, own)?;
+        program.set_parameters(gpu, &live.parameters)?;
+        live.programs.insert(template, program.clone());
+        Ok(program)
+    }
+
+    fn live(&self) -> MutexGuard<'_, Live> {
+        self.live.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 

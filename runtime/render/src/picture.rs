@@ -45,7 +45,6 @@ pub struct Picture {
     /// The shadow methods used so far.
     shadow_passes: Vec<(Shadows, ShadowPass)>,
     shade_pass: ShadePass,
-    parameters: Vec<f64>,
     resolver: Resolver,
     levels: Vec<Level>,
     parts: Parts,
@@ -120,7 +119,7 @@ impl Picture {
         let parts = Parts::new(size);
         let receivers = Receivers::new(gpu, parts.most_pixels(), &lighting.rows(DEFAULT_DIRECT))?;
         let buffers = Buffers::new(gpu, model, size, &levels, receivers)?;
-        let shade_pass = ShadePass::new(gpu, &model.graph, &buffers.receivers, &buffers.sums, &buffers.view)?;
+        let shade_pass = ShadePass::new(gpu, model, &buffers.receivers, &buffers.sums, &buffers.view)?;
         let resolver = Resolver::new(gpu, size, &buffers.sums)?;
         Ok(Self {
             gpu: gpu.clone(),
@@ -137,7 +136,6 @@ impl Picture {
             buffers,
             shadow_passes: Vec::new(),
             shade_pass,
-            parameters: model.parameters(),
             resolver,
             levels,
             parts,
@@ -157,10 +155,6 @@ impl Picture {
     /// Moves the live numbers to these values, in the order of their ids, and starts anew.
     pub fn set_parameters(&mut self, parameters: &[f64]) -> Result<()> {
         self.model.set_parameters(&self.gpu, parameters)?;
-        for (_, pass) in &self.shadow_passes {
-            pass.set_parameters(&self.gpu, parameters)?;
-        }
-        self.parameters = parameters.to_vec();
         self.place_floor()?;
         self.restart()
     }
@@ -315,7 +309,7 @@ impl Picture {
             return Ok(index);
         }
         let Buffers { receivers, view, .. } = &self.buffers;
-        let pass = ShadowPass::new(&self.gpu, &self.model.graph, method, &self.parameters, receivers, view)?;
+        let pass = ShadowPass::new(&self.gpu, &self.model, method, receivers, view)?;
         self.shadow_passes.push((method, pass));
         Ok(self.shadow_passes.len() - 1)
     }
@@ -329,7 +323,7 @@ impl Picture {
         let receivers = Receivers::new(&self.gpu, self.parts.most_pixels(), &rows)?;
         self.buffers = Buffers::new(&self.gpu, &self.model, self.size, &self.levels, receivers)?;
         let Buffers { receivers, sums, view, .. } = &self.buffers;
-        self.shade_pass = ShadePass::new(&self.gpu, &self.model.graph, receivers, sums, view)?;
+        self.shade_pass = ShadePass::new(&self.gpu, &self.model, receivers, sums, view)?;
         self.resolver = Resolver::new(&self.gpu, self.size, sums)?;
         self.shadow_passes.clear();
         Ok(())

@@ -20,13 +20,22 @@ pub(crate) struct Resolver {
     stopwatch: Stopwatch,
 }
 
+/// The kernel, compiled once for a device.
+fn kernel(gpu: &Gpu) -> Result<Kernel> {
+    if let Some(kernel) = gpu.resolve.get() {
+        return Ok(kernel.clone());
+    }
+    let module = naga::front::wgsl::parse_str(include_str!("resolve.wgsl"))
+        .map_err(|error| Error::Refused(format!("resolve.wgsl: {}", error.message())))?;
+    let slots = [(0, Slot::Uniform), (1, Slot::Read), (2, Slot::Pixels)];
+    let kernel = Kernel::new(gpu, module, "resolve", &[&slots])?;
+    Ok(gpu.resolve.get_or_init(|| kernel).clone())
+}
+
 impl Resolver {
     /// For a picture of this size with these sums.
     pub(crate) fn new(gpu: &Gpu, size: [u32; 2], sums: &Buffer) -> Result<Self> {
-        let module = naga::front::wgsl::parse_str(include_str!("resolve.wgsl"))
-            .map_err(|error| Error::Refused(format!("resolve.wgsl: {}", error.message())))?;
-        let slots = [(0, Slot::Uniform), (1, Slot::Read), (2, Slot::Pixels)];
-        let kernel = Kernel::new(gpu, module, "resolve", &[&slots])?;
+        let kernel = kernel(gpu)?;
         let resolution = buffer(gpu, "resolution", Slot::Uniform, 16)?;
         let texture = gpu.checked(|| {
             gpu.device.create_texture(&TextureDescriptor {

@@ -2,14 +2,13 @@
 
 use std::time::Duration;
 
-use chiaro_field::Graph;
 use chiaro_shader::Template;
 use wgpu::{BindGroup, Buffer};
 
 use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::kernel::{Slot, buffer, workgroups};
-use crate::model::{Program, Source};
+use crate::model::{Model, Program};
 use crate::shadow::Receivers;
 use crate::stopwatch::Stopwatch;
 
@@ -23,10 +22,9 @@ pub(crate) struct ShadePass {
 
 impl ShadePass {
     /// For the receivers of a picture's parts; `view` is its uniform.
-    pub(crate) fn new(gpu: &Gpu, graph: &Graph, receivers: &Receivers, sums: &Buffer, view: &Buffer) -> Result<Self> {
-        let source = Source::of(graph, Template::Shade)?;
+    pub(crate) fn new(gpu: &Gpu, model: &Model, receivers: &Receivers, sums: &Buffer, view: &Buffer) -> Result<Self> {
         let slots = [(0, Slot::Read), (1, Slot::Read), (2, Slot::Read), (3, Slot::ReadWrite), (4, Slot::Read)];
-        let program = Program::new(gpu, source, "shade", true, &slots)?;
+        let program = model.program(gpu, Template::Shade, "shade", &slots)?;
         let light = buffer(gpu, "light's index", Slot::Read, 16)?;
         let own = [
             (0, receivers.receivers.as_entire_binding()),

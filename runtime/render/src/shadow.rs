@@ -2,7 +2,6 @@
 
 use std::time::Duration;
 
-use chiaro_field::Graph;
 use chiaro_shader::{Shadows, Template};
 use wgpu::{BindGroup, Buffer};
 
@@ -11,7 +10,7 @@ use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::kernel::{Slot, buffer};
 use crate::lights::LightRow;
-use crate::model::{Program, Source};
+use crate::model::{Model, Program};
 use crate::stopwatch::Stopwatch;
 use crate::verified::VerifiedPasses;
 
@@ -103,28 +102,12 @@ pub(crate) struct SinglePass {
 }
 
 impl ShadowPass {
-    /// Compiles a method; `view` is the uniform of the picture.
-    pub(crate) fn new(
-        gpu: &Gpu,
-        graph: &Graph,
-        method: Shadows,
-        parameters: &[f64],
-        receivers: &Receivers,
-        view: &Buffer,
-    ) -> Result<Self> {
-        let pass = match method {
-            Shadows::Verified => Self::Verified(Box::new(VerifiedPasses::new(gpu, graph, receivers, view)?)),
-            _ => Self::Single(SinglePass::new(gpu, graph, method, receivers, view)?),
-        };
-        pass.set_parameters(gpu, parameters)?;
-        Ok(pass)
-    }
-
-    pub(crate) fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
-        match self {
-            Self::Single(pass) => pass.program.set_parameters(gpu, parameters),
-            Self::Verified(passes) => passes.set_parameters(gpu, parameters),
-        }
+    /// Compiles a method, unless the model has it already; `view` is the uniform of the picture.
+    pub(crate) fn new(gpu: &Gpu, model: &Model, method: Shadows, receivers: &Receivers, view: &Buffer) -> Result<Self> {
+        Ok(match method {
+            Shadows::Verified => Self::Verified(Box::new(VerifiedPasses::new(gpu, model, receivers, view)?)),
+            _ => Self::Single(SinglePass::new(gpu, model, method, receivers, view)?),
+        })
     }
 
     /// Answers for all receivers of a part, and says how long it took.
@@ -137,10 +120,9 @@ impl ShadowPass {
 }
 
 impl SinglePass {
-    fn new(gpu: &Gpu, graph: &Graph, method: Shadows, receivers: &Receivers, view: &Buffer) -> Result<Self> {
-        let source = Source::of(graph, Template::Shadows(method))?;
+    fn new(gpu: &Gpu, model: &Model, method: Shadows, receivers: &Receivers, view: &Buffer) -> Result<Self> {
         let slots = [(0, Slot::Read), (1, Slot::Read), (2, Slot::ReadWrite), (3, Slot::Read)];
-        let program = Program::new(gpu, source, "shadow", true, &slots)?;
+        let program = model.program(gpu, Template::Shadows(method), "shadow", &slots)?;
         let task = Task::buffer(gpu)?;
         let own = [
             (0, receivers.receivers.as_entire_binding()),

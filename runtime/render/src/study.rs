@@ -321,8 +321,7 @@ impl Study {
         if let Some(index) = self.passes.iter().position(|(known, _)| *known == method) {
             return Ok(index);
         }
-        let parameters = self.model.parameters();
-        let pass = ShadowPass::new(&self.gpu, &self.model.graph, method, &parameters, &self.receivers, &self.view)?;
+        let pass = ShadowPass::new(&self.gpu, &self.model, method, &self.receivers, &self.view)?;
         self.passes.push((method, pass));
         Ok(self.passes.len() - 1)
     }

@@ -3,7 +3,6 @@
 
 use std::time::Duration;
 
-use chiaro_field::Graph;
 use chiaro_shader::{Shadows, Template, Verified};
 use wgpu::{BindGroup, Buffer};
 
@@ -11,7 +10,7 @@ use crate::cells::MOST_CELLS;
 use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::kernel::{Dispatch, Size, Slot, buffer, run_all};
-use crate::model::{Program, Source};
+use crate::model::{Model, Program};
 use crate::shadow::{Receivers, Task, linear_workgroups};
 use crate::stopwatch::Stopwatch;
 
@@ -57,7 +56,7 @@ struct Lists {
 type Bound<'a> = (u32, &'a Buffer, Slot);
 
 impl VerifiedPasses {
-    pub(crate) fn new(gpu: &Gpu, graph: &Graph, receivers: &Receivers, view: &Buffer) -> Result<Self> {
+    pub(crate) fn new(gpu: &Gpu, model: &Model, receivers: &Receivers, view: &Buffer) -> Result<Self> {
         let lists = Lists::new(gpu, receivers.visibilities.size() / 16)?;
         let mut tasks = Vec::new();
         for _ in 0..STAGES {
@@ -68,8 +67,7 @@ impl VerifiedPasses {
         let (read, write) = (Slot::Read, Slot::ReadWrite);
 
         let build = |template, entry, tasks: &[Buffer], own: &[Bound]| {
-            let source = Source::of(graph, template)?;
-            Pass::new(gpu, Program::new(gpu, source, entry, true, &slots(own))?, view, tasks, own)
+            Pass::new(gpu, model.program(gpu, template, entry, &slots(own))?, view, tasks, own)
         };
         let gate = [
             (0, points, read),
@@ -96,11 +94,6 @@ impl VerifiedPasses {
             tasks,
             lists,
         })
-    }
-
-    pub(crate) fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
-        let passes = [&self.gate, &self.choose, &self.cells, &self.settle];
-        passes.into_iter().try_for_each(|pass| pass.program.set_parameters(gpu, parameters))
     }
 
     /// Answers for all receivers of a part, and says how long it took.
