@@ -3,6 +3,8 @@
 //! Practice: the first edit of a number compiles the scene with that number live. Until something else is edited, the value
 //! goes to the picture as a uniform. Some time after the last of these edits, the text is compiled as it stands.
 
+use std::ops::Range;
+
 use chiaro_assist::{NumberLiteral, numbers};
 use chiaro_compiler::LiveLiteral;
 use chiaro_compiler::vocabulary::Interval;
@@ -27,6 +29,9 @@ pub(crate) struct NumberEdit {
 /// The edit between two texts, if nothing but one number differs.
 pub(crate) fn number_edit(before: &str, after: &str) -> Option<NumberEdit> {
     let (was, is) = difference(before, after);
+    if !could_be_number(before, &was) || !could_be_number(after, &is) {
+        return None;
+    }
     let number_at = |text: &str, start: usize, end: usize| {
         numbers(text).into_iter().find(|number| number.range.start <= start && end <= number.range.end)
     };
@@ -34,6 +39,16 @@ pub(crate) fn number_edit(before: &str, after: &str) -> Option<NumberEdit> {
     let new = number_at(after, is.start, is.end)?;
     let same_place = old.range.start == new.range.start && before[old.range.end..] == after[new.range.end..];
     (same_place && new.value.is_finite()).then_some(NumberEdit { before: old, after: new })
+}
+
+/// Whether a part of a text may be one of a number. That is seen at once, where finding the numbers of a long text takes time
+/// that most letters typed needn't wait for.
+fn could_be_number(text: &str, part: &Range<usize>) -> bool {
+    let is_of_number = |byte: &&u8| byte.is_ascii_hexdigit() || matches!(byte, b'.' | b'x' | b'X' | b'+' | b'-');
+    let bytes = text.as_bytes();
+    let before = bytes[..part.start].iter().rev().take_while(is_of_number);
+    let after = bytes[part.start..].iter().take_while(is_of_number);
+    bytes[part.clone()].iter().all(|byte| is_of_number(&byte)) && before.chain(after).any(u8::is_ascii_digit)
 }
 
 impl NumberEdit {
@@ -76,6 +91,8 @@ mod tests {
         assert_eq!(value("cube(10);", "cube(10a);"), None);
         assert_eq!(value("cube([1, 2]);", "cube([3, 4]);"), None);
         assert_eq!(value("r10 = 1;", "r12 = 1;"), None);
+        assert_eq!(value("cube(1e2);", "cube(1e-2);"), Some(0.01));
+        assert_eq!(value("cube(0x1F);", "cube(0x1);"), Some(1.0));
         assert_eq!(value("// 10\ncube(1);", "// 12\ncube(1);"), None);
     }
 

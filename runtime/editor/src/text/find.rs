@@ -78,10 +78,19 @@ pub(super) fn open(editor: &mut Editor, replaces: bool) {
     }
 }
 
+/// Finds the places in the text as it is at this moment: it may have changed since the bar was drawn.
+fn look_again(editor: &mut Editor) {
+    let Editor { session, text: panel, .. } = editor;
+    if let Some(find) = &mut panel.find {
+        (find.hits, find.of) = (find.query.hits(&session.active().text), None);
+    }
+}
+
 /// Goes to the next place, or to the one before.
 pub(super) fn go(editor: &mut Editor, forward: bool) {
     let caret = editor.selected().range();
-    let Some(find) = &mut editor.text.find else { return open(editor, false) };
+    look_again(editor);
+    let Some(find) = &editor.text.find else { return open(editor, false) };
     let hits = &find.hits;
     let next = match forward {
         true => hits.iter().find(|hit| hit.start >= caret.end && hit.end > caret.end).or(hits.first()),
@@ -175,19 +184,17 @@ fn replacing(ui: &mut Ui, find: &mut Find) -> Option<Asked> {
 
 /// Replaces the hit that is selected, and goes to the next.
 fn replace(editor: &mut Editor) {
+    look_again(editor);
     let range = editor.selected().range();
     let Some(find) = &editor.text.find else { return };
     if find.hits.contains(&range) {
         editor.change(&Change::replacement(range, find.replacement.clone()));
-        let Editor { session, text: panel, .. } = &mut *editor;
-        if let Some(find) = &mut panel.find {
-            (find.hits, find.of) = (find.query.hits(&session.active().text), None);
-        }
     }
     go(editor, true);
 }
 
 fn replace_all(editor: &mut Editor) {
+    look_again(editor);
     let Some(find) = &editor.text.find else { return };
     let edit = |hit: &Range<usize>| Edit { range: hit.clone(), text: find.replacement.clone() };
     let change = Change::around(editor.selected(), find.hits.iter().map(edit).collect());
