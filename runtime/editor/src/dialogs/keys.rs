@@ -6,13 +6,14 @@ use crate::app::Editor;
 use crate::command::Command;
 
 /// What the mouse does over the picture and in the text.
-const MOUSE: [(&str, &str); 6] = [
+const MOUSE: [(&str, &str); 7] = [
     ("Drag in the picture", "Orbit"),
     ("Shift or right drag", "Pan"),
     ("Wheel", "Zoom"),
     ("Click a surface", "Go to the expression that made it"),
     ("Drag a handle", "Change the numbers behind it"),
-    ("Alt drag on a number", "Change it in the text"),
+    ("Ctrl drag on a number", "Change it in the text"),
+    ("Ctrl click on a name", "Go to its definition"),
 ];
 
 /// Lists them.

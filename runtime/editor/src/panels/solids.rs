@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use chiaro_compiler::vocabulary::{Bounds, Class};
 use chiaro_compiler::{Provenance, SolidId};
-use egui::{Align2, CursorIcon, FontId, Rect, ScrollArea, Sense, TextStyle, Ui, pos2, vec2};
+use egui::{Align2, Color32, CursorIcon, Pos2, Rect, ScrollArea, Sense, Shape, Stroke, TextStyle, Ui, pos2, vec2};
 
 use crate::app::Editor;
 use crate::worker::Job;
@@ -123,14 +123,7 @@ fn line(ui: &mut Ui, outline: &Outline, index: u32, height: f32, selected: Optio
     let left = rect.left() + 4.0 + INDENT * node.depth as f32;
     let arrow = Rect::from_min_size(pos2(left, rect.top()), vec2(INDENT, height));
     if node.has_children {
-        let symbol = if outline.is_open(index) { "⏷" } else { "⏵" };
-        ui.painter().text(
-            arrow.center(),
-            Align2::CENTER_CENTER,
-            symbol,
-            FontId::proportional(10.0),
-            visuals.text_color(),
-        );
+        triangle(ui, arrow.center(), outline.is_open(index), visuals.text_color());
     }
     let name = TextStyle::Body.resolve(ui.style());
     let what = if node.what.is_empty() { "scene" } else { &node.what };
@@ -155,6 +148,13 @@ fn line(ui: &mut Ui, outline: &Outline, index: u32, height: f32, selected: Optio
         };
     response.on_hover_cursor(CursorIcon::PointingHand).on_hover_ui(|ui| fields(ui, node));
     touch
+}
+
+/// Points downwards if what is below is open, and to the right if not.
+fn triangle(ui: &Ui, center: Pos2, is_open: bool, color: Color32) {
+    let [along, across] = if is_open { [vec2(0.0, 3.0), vec2(3.5, 0.0)] } else { [vec2(3.0, 0.0), vec2(0.0, 3.5)] };
+    let corners = vec![center + along, center - along + across, center - along - across];
+    ui.painter().add(Shape::convex_polygon(corners, color, Stroke::NONE));
 }
 
 /// Class and L in a word.

@@ -66,9 +66,19 @@ fn opened<'g>(shared: &Shared, preference: &Preference, gpu: &'g mut Option<Gpu>
         *gpu = None;
     }
     if gpu.is_none() {
-        let opened = Gpu::new(preference)?;
+        let opened = open(preference)?;
         shared.say(Event::Device(opened.description().name.clone()));
         *gpu = Some(opened);
     }
     gpu.as_ref().ok_or(Error::NoDriver)
+}
+
+/// Opens the device on a thread that gives way to the window's, since those that a software adapter draws with are as
+/// polite as the one that opened it.
+fn open(preference: &Preference) -> chiaro_render::Result<Gpu> {
+    let polite = || {
+        super::give_way();
+        Gpu::new(preference)
+    };
+    std::thread::scope(|scope| scope.spawn(polite).join()).unwrap_or(Err(Error::NoDriver))
 }

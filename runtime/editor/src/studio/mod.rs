@@ -140,7 +140,10 @@ impl Studio {
         let builder = |name: &str| std::thread::Builder::new().name(name.to_owned());
         let threads = vec![
             builder("compiling").spawn(move || compiler::work(&compiling, &preference))?,
-            builder("drawing").spawn(move || drawer::work(&drawing))?,
+            builder("drawing").spawn(move || {
+                give_way();
+                drawer::work(&drawing);
+            })?,
         ];
         Ok(Self { shared, events, threads })
     }
@@ -213,4 +216,12 @@ fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
 
 fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Lets the window's thread go first, where threads have priorities of their own: typing must not wait for pictures.
+fn give_way() {
+    #[cfg(target_os = "linux")]
+    if let Err(reason) = rustix::process::setpriority_process(None, 10) {
+        log::debug!("drawing is as important as the window: {reason}");
+    }
 }

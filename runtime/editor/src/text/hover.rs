@@ -218,9 +218,9 @@ fn tell_message(ui: &mut Ui, message: &Message) -> Option<Change> {
 
 /// A strip that changes the number when it is dragged.
 fn number(editor: &Editor, ui: &mut Ui) -> Option<Asked> {
-    let strip = egui::Button::new("◀  drag to change  ▶").sense(egui::Sense::drag());
+    let strip = egui::Button::new("Drag to change").sense(egui::Sense::drag());
     let response = ui.add(strip).on_hover_cursor(CursorIcon::ResizeHorizontal);
-    ui.weak("In the text, Alt and drag; Shift for finer steps.");
+    ui.weak("In the text: Ctrl and drag. Shift makes finer steps.");
     if response.dragged() {
         return Some(Asked::Drag(response.drag_delta().x / 4.0));
     }

@@ -78,29 +78,50 @@ pub(super) enum Pressed {
     Letter(String),
 }
 
-/// Takes what means something from what happened, in its order.
-pub(super) fn take(ui: &Ui, focus: Focus) -> Vec<Pressed> {
+/// Takes what means something from what happened, in its order. What comes after something that only the text field can do,
+/// such as moving the caret, has to wait until that is done: it is put aside, and happens in the next frame.
+pub(super) fn take(ui: &Ui, focus: Focus, aside: &mut Vec<Event>) -> Vec<Pressed> {
     let mut pressed = Vec::new();
+    let mut is_blocked = false;
     ui.input_mut(|input| {
         // Some systems write the letter of a key that is pressed together with Alt.
         let is_altered = input.modifiers.alt && !input.modifiers.ctrl;
-        input.events.retain(|event| match event {
-            Event::Key { key, pressed: true, modifiers, .. } => {
-                let command = meant(*key, *modifiers, focus);
-                pressed.extend(command.map(Pressed::Command));
-                command.is_none()
+        let happened = std::mem::take(aside).into_iter().chain(std::mem::take(&mut input.events));
+        for event in happened {
+            let taken = taken(&event, focus);
+            if is_blocked && (taken.is_some() || is_for_field(&event)) {
+                aside.push(event);
+                continue;
             }
-            Event::Text(text) if focus == Focus::Text && !matches!(text.as_str(), "" | "\n" | "\r") => {
-                let follows_command = is_altered && matches!(pressed.last(), Some(Pressed::Command(_)));
-                if !follows_command {
-                    pressed.push(Pressed::Letter(text.clone()));
+            match taken {
+                Some(Pressed::Letter(_)) if is_altered && matches!(pressed.last(), Some(Pressed::Command(_))) => {}
+                Some(taken) => pressed.push(taken),
+                None => {
+                    is_blocked |= focus == Focus::Text && is_for_field(&event);
+                    input.events.push(event);
                 }
-                false
             }
-            _ => true,
-        });
+        }
     });
+    if !aside.is_empty() {
+        ui.ctx().request_repaint();
+    }
     pressed
+}
+
+fn taken(event: &Event, focus: Focus) -> Option<Pressed> {
+    match event {
+        Event::Key { key, pressed: true, modifiers, .. } => meant(*key, *modifiers, focus).map(Pressed::Command),
+        Event::Text(text) if focus == Focus::Text && !matches!(text.as_str(), "" | "\n" | "\r") => {
+            Some(Pressed::Letter(text.clone()))
+        }
+        _ => None,
+    }
+}
+
+/// Whether the text field does something about it that is not ours.
+fn is_for_field(event: &Event) -> bool {
+    matches!(event, Event::Key { pressed: true, .. } | Event::Paste(_) | Event::Cut | Event::Ime(_))
 }
 
 fn meant(key: Key, modifiers: Modifiers, focus: Focus) -> Option<Command> {

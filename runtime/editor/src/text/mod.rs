@@ -50,6 +50,8 @@ pub(crate) struct TextPanel {
     flash: Option<(Range<usize>, f64)>,
     /// The selection that the page knows.
     known: Option<(DocumentId, [usize; 2])>,
+    /// Keys that wait for the text field.
+    aside: Vec<egui::Event>,
     /// The caret has to be scrolled to.
     shows_caret: bool,
     wants_focus: bool,

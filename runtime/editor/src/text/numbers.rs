@@ -1,6 +1,6 @@
 //! Numbers that are dragged in the text.
 //!
-//! Practice: while Alt is held, the number under the pointer can be dragged sideways; Shift makes finer steps. Each step
+//! Practice: while Ctrl or Alt is held, the number under the pointer can be dragged sideways; Shift makes finer steps. Each step
 //! is an edit of the text, and all of them are one to be undone. The first makes the number live, so that the others compile
 //! nothing.
 
@@ -43,12 +43,13 @@ pub(super) fn at(text: &str, at: usize) -> Option<NumberLiteral> {
     numbers(text).into_iter().find(|number| number.range.contains(&at))
 }
 
-/// Lets the number under the pointer be dragged while Alt is held.
+/// Lets the number under the pointer be dragged while Ctrl or Alt is held. (Some systems move windows with Alt.)
 pub(super) fn drag(editor: &mut Editor, ui: &Ui, output: &TextEditOutput) {
     let origin = output.galley_pos;
-    let (alt, pointer) = ui.input(|input| (input.modifiers.alt, input.pointer.hover_pos()));
+    let is_held = ui.input(|input| input.modifiers.alt || input.modifiers.command);
+    let pointer = ui.input(|input| input.pointer.hover_pos());
     let document = editor.session.active();
-    let under = pointer.filter(|at| alt && output.response.rect.contains(*at) && ui.clip_rect().contains(*at));
+    let under = pointer.filter(|at| is_held && output.response.rect.contains(*at) && ui.clip_rect().contains(*at));
     let under = under.and_then(|pointer| editor.text.layout.byte_at(pointer - origin));
     let number = under.and_then(|byte| at(&document.text, byte));
     if editor.text.drag.is_none() && number.is_none() {

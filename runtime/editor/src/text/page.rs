@@ -59,7 +59,10 @@ fn take_keys(editor: &mut Editor, ui: &Ui, id: Id) -> bool {
         completion::take_keys(editor, ui);
     }
     let mut was_typed = false;
-    for pressed in keys::take(ui, focus) {
+    let mut aside = std::mem::take(&mut editor.text.aside);
+    let all_pressed = keys::take(ui, focus, &mut aside);
+    editor.text.aside = aside;
+    for pressed in all_pressed {
         match pressed {
             Pressed::Command(command) => editor.text_command(command),
             Pressed::Letter(text) => {
