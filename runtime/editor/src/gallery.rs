@@ -90,6 +90,7 @@ pub(crate) fn is_wanted(editor: &Editor) -> bool {
 
 /// Shows the examples, to be opened by a click.
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
+    ui.painter().rect_filled(ui.max_rect(), 0.0, ui.visuals().panel_fill);
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         egui::Frame::NONE.inner_margin(24.0).show(ui, |ui| {
             ui.heading("Begin with a scene");

@@ -35,6 +35,9 @@ mod recovery;
 mod settings;
 mod worker;
 
+#[cfg(test)]
+mod tests;
+
 pub use app::{Editor, Options};
 
 /// The name that the system knows the editor by.

@@ -14,6 +14,8 @@ use crate::studio::LiveValue;
 
 /// A live number reaches this many times as far as its value.
 const REACH: f64 = 4.0;
+/// The least part of its value that it can become as long as it has no sign.
+const LEAST_PART: f64 = 1.0 / 64.0;
 /// The least reach of a number, so that zero can move.
 const LEAST_REACH: f64 = 10.0;
 
@@ -56,8 +58,9 @@ impl NumberEdit {
     pub(crate) fn literal(&self) -> LiveLiteral {
         let magnitude = self.after.value.abs();
         let reach = (REACH * magnitude).max(LEAST_REACH);
-        // A radius stays one: numbers without a sign don't become negative before the text says so.
-        let least = if self.before.negative || self.after.negative { -reach } else { 0.0 };
+        // A radius stays one: numbers without a sign become neither negative nor zero before the text says so. For whether
+        // there is a sphere at all is no question that a shader could answer.
+        let least = if self.before.negative || self.after.negative { -reach } else { magnitude * LEAST_PART };
         LiveLiteral { start: digits(&self.after), range: Interval::new(least, reach) }
     }
 
@@ -94,6 +97,29 @@ mod tests {
         assert_eq!(value("cube(1e2);", "cube(1e-2);"), Some(0.01));
         assert_eq!(value("cube(0x1F);", "cube(0x1);"), Some(1.0));
         assert_eq!(value("// 10\ncube(1);", "// 12\ncube(1);"), None);
+    }
+
+    #[test]
+    fn radii_and_sizes_can_be_live() {
+        struct Text(&'static str);
+        impl chiaro_compiler::World for Text {
+            fn find(&self, _: &str, _: &str) -> Option<String> {
+                None
+            }
+            fn read(&self, _: &str) -> Result<Vec<u8>, String> {
+                Ok(self.0.as_bytes().to_vec())
+            }
+        }
+        for [before, after] in [
+            ["sphere(2);", "sphere(3);"],
+            ["cube([2, 5, 1]);", "cube([2, 6, 1]);"],
+            ["cylinder(r = 1, h = 2);", "cylinder(r = 1, h = 3);"],
+        ] {
+            let literal = number_edit(before, after).unwrap().literal();
+            let options = chiaro_compiler::Options { live_literals: vec![literal], ..Default::default() };
+            let scene = chiaro_compiler::compile(&Text(after), "a.csg", &options).scene.unwrap();
+            assert_eq!(scene.parameters.len(), 1, "{after}");
+        }
     }
 
     #[test]

@@ -223,7 +223,9 @@ impl Session {
             // Another file may have changed; but what is the same everywhere is compiled already.
             return self.compile(None);
         };
-        let value = running.live.as_ref().and_then(|live| edit.value(live)).filter(|value| self.is_live(value));
+        // What is being compiled with that number live will take its value when it is done.
+        let takes = |value: &LiveValue| self.is_live(value) || !self.is_compiled();
+        let value = running.live.as_ref().and_then(|live| edit.value(live)).filter(takes);
         match value {
             Some(value) => {
                 if let Some(running) = &mut self.running {
@@ -321,6 +323,7 @@ impl Session {
                 }
                 self.outcome = Some(Outcome { revision, sources, diagnostics: compiled.diagnostics });
                 self.watch_files();
+                self.catch_up();
             }
             Event::Linked { revision, provenance } => {
                 if let Some(shown) = self.shown.as_mut().filter(|shown| shown.revision == revision) {
@@ -335,6 +338,14 @@ impl Session {
             Event::Device(name) => self.device = name,
             // An older text's.
             Event::Compiled(_) => {}
+        }
+    }
+
+    /// Compiles once more, if a number moved meanwhile that did not come to be live.
+    fn catch_up(&mut self) {
+        let moved = self.running.as_ref().and_then(|running| running.moved.as_ref());
+        if moved.is_some_and(|moved| !self.is_live(moved)) {
+            self.compile(None);
         }
     }
 
@@ -374,6 +385,11 @@ impl Session {
     pub(crate) fn has_errors(&self) -> bool {
         let is_error = |diagnostic: &Diagnostic| diagnostic.severity == Severity::Error;
         self.outcome.as_ref().is_some_and(|outcome| outcome.diagnostics.iter().any(is_error))
+    }
+
+    /// Whether what the compiler has to say is about the text that is open.
+    pub(crate) fn is_compiled(&self) -> bool {
+        self.outcome.as_ref().is_some_and(|outcome| outcome.revision == self.revision)
     }
 
     /// Whether the picture is of an older text than the one that is open.

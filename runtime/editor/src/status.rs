@@ -12,10 +12,12 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
         let session = &editor.session;
         if let Some(trouble) = &session.trouble {
             ui.colored_label(Color32::from_rgb(220, 80, 60), trouble);
+        } else if !session.is_compiled() {
+            ui.label("compiling…");
         } else if session.has_errors() {
             ui.colored_label(Color32::from_rgb(220, 80, 60), "the picture is of the last text without errors");
         } else if session.is_outdated() {
-            ui.label("compiling…");
+            ui.label("drawing…");
         } else {
             ui.label("ready");
         }

@@ -1,7 +1,7 @@
 //! What there is to say about the scene: errors, warnings and notes, with their places.
 
 use chiaro_compiler::syntax::{Diagnostic, Severity, Span};
-use egui::{CollapsingHeader, Color32, RichText, ScrollArea, Ui, Visuals};
+use egui::{CollapsingHeader, Color32, RichText, ScrollArea, Sense, Ui, Visuals, vec2};
 
 use crate::app::Editor;
 
@@ -108,7 +108,8 @@ fn line(message: &Message) -> String {
 fn one(ui: &mut Ui, message: &Message) -> Option<Span> {
     let mut revealed = None;
     ui.horizontal_wrapped(|ui| {
-        ui.label(RichText::new("●").small().color(color(ui.visuals(), message.severity)));
+        let (dot, _) = ui.allocate_exact_size(vec2(8.0, 8.0), Sense::hover());
+        ui.painter().circle_filled(dot.center(), 3.0, color(ui.visuals(), message.severity));
         if message.span.is_some() {
             if ui.link(&message.text).clicked() {
                 revealed = message.span;

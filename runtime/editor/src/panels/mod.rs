@@ -58,3 +58,16 @@ fn name(editor: &Editor, ui: &Ui, panel: Panel) -> RichText {
         _ => RichText::new(panel.name()),
     }
 }
+
+#[cfg(test)]
+impl Panels {
+    /// Whether the tree of solids has such a node.
+    pub(crate) fn lists(&self, what: &str) -> bool {
+        self.solids.lists(what)
+    }
+
+    /// The code in the shader panel.
+    pub(crate) fn shader_text(&self) -> &str {
+        self.shader.text()
+    }
+}

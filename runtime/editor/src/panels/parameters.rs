@@ -120,7 +120,7 @@ fn row(editor: &mut Editor, ui: &mut Ui, parameter: &Parameter, drafts: &mut BTr
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let name = format!("Reset {}", parameter.name);
             if is_changed {
-                let button = ui.small_button("↺").on_hover_text("Back to the value of the text");
+                let button = ui.small_button("Reset").on_hover_text("Back to the value of the text");
                 button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
                 if button.clicked() {
                     reset(&mut editor.session, &parameter.name);

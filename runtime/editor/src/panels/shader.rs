@@ -86,6 +86,13 @@ impl ShaderText {
 }
 
 #[cfg(test)]
+impl ShaderText {
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -196,3 +196,11 @@ fn fields(ui: &mut Ui, node: &Node) {
         field("Size", format!("{} mm", numbers([0, 1, 2].map(|axis| max[axis] - min[axis]))));
     });
 }
+
+#[cfg(test)]
+impl Solids {
+    /// Whether there is such a node in sight.
+    pub(super) fn lists(&self, what: &str) -> bool {
+        self.outline.visible().iter().any(|index| self.outline.node(*index).what == what)
+    }
+}

@@ -15,10 +15,8 @@ pub(crate) fn is_wanted(editor: &Editor) -> bool {
 /// Shows the controls.
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.horizontal(|ui| {
-        let (symbol, name) = if editor.clock.is_running() { ("⏸", "Pause") } else { ("▶", "Play") };
-        let button = ui.add(Button::new(symbol).min_size(egui::vec2(30.0, 0.0))).on_hover_text(name);
-        button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
-        if button.clicked() {
+        let name = if editor.clock.is_running() { "Pause" } else { "Play" };
+        if ui.add(Button::new(name).min_size(egui::vec2(56.0, 0.0))).clicked() {
             editor.clock.toggle();
         }
         let mut time = editor.clock.time;

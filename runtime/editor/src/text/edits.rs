@@ -218,7 +218,7 @@ pub(super) mod tests {
         check("  // cube(|1);", |selected| selected.toggle_comment(), "  cube(|1);");
         check("//c|", |selected| selected.toggle_comment(), "c|");
         check("{\n^  a();\n\n    b();\n|}", |selected| selected.toggle_comment(), "{\n^  // a();\n\n  //   b();\n|}");
-        check("^// a\nb|", |selected| selected.toggle_comment(), "^// // a\n// b|");
+        check("^// a\nb|", |selected| selected.toggle_comment(), "// ^// a\n// b|");
     }
 
     #[test]

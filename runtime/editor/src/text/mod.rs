@@ -97,3 +97,16 @@ impl Editor {
         self.text.shows_caret = true;
     }
 }
+
+#[cfg(test)]
+impl TextPanel {
+    /// Where a byte is on the page.
+    pub(crate) fn place(&self, byte: usize) -> egui::Pos2 {
+        self.layout.caret(byte).center()
+    }
+
+    /// Whether nothing is offered.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.list.is_none()
+    }
+}

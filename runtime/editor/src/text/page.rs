@@ -102,6 +102,8 @@ fn written(editor: &mut Editor, ui: &mut Ui, id: Id, font: &FontId) -> Written {
         .layouter(&mut layouter);
     let output = field.show(ui);
     let response = &output.response;
+    let title = document.title();
+    ui.ctx().accesskit_node_builder(id, |node| node.set_label(format!("Text of {title}")));
     if std::mem::take(&mut panel.wants_focus) {
         response.request_focus();
     }

@@ -205,3 +205,23 @@ fn paint(editor: &Editor, ui: &Ui, rect: Rect) {
     }
     handles::paint(editor, ui, &painter);
 }
+
+#[cfg(test)]
+impl Viewport {
+    /// Where a point of the scene is seen in the window.
+    pub(crate) fn seen(&self, point: [f64; 3]) -> Option<egui::Pos2> {
+        let rect = self.rect?;
+        let ([x, y], _) = self.drawn?.project(point, [rect.width() as u32, rect.height() as u32])?;
+        Some(rect.min + egui::vec2(x as f32, y as f32))
+    }
+
+    /// Waits for another outline.
+    pub(crate) fn forget_outline(&mut self) {
+        self.outline = None;
+    }
+
+    /// Whether there is an outline in the picture.
+    pub(crate) fn is_outlined(&self) -> bool {
+        self.outline.is_some() && self.selection.is_some()
+    }
+}

@@ -20,7 +20,7 @@ pub(super) fn show(ui: &mut Ui, parameter: &Parameter, value: &str) -> Option<St
         }
         Control::CheckBox { .. } => {
             let mut is_on = value == "true";
-            ui.checkbox(&mut is_on, name).changed().then(|| is_on.to_string())
+            named(ui, name, |ui| ui.checkbox(&mut is_on, "")).then(|| is_on.to_string())
         }
         Control::Menu { choices, .. } => menu(ui, name, choices, value),
         Control::Text { max_length, .. } => {

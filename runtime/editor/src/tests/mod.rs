@@ -1,0 +1,7 @@
+//! The editor as a person uses it: the whole window without a screen, drawn by a software adapter.
+
+mod files;
+mod panels;
+mod person;
+mod picture;
+mod text;

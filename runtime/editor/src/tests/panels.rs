@@ -1,0 +1,92 @@
+//! The panels.
+
+use egui_kittest::kittest::Queryable;
+
+use super::person::Person;
+use crate::settings::Panel;
+
+const SCENE: &str = "width = 20; // [10:40]\nhollow = false;\n\
+                     difference() {\n    cube([width, 20, 20], center = true);\n    if (hollow) sphere(9);\n}\n";
+
+#[test]
+fn sliders_move_the_picture_and_write_the_text_when_asked() {
+    let mut person = Person::with(SCENE);
+    person.until_drawn();
+    person.sees("parameters");
+    let revision = person.editor().session.outcome.as_ref().unwrap().revision;
+    person.harness.get_by_role_and_label(egui::Role::Slider, "width").set_value_accesskit(30.0);
+    person.frames(3);
+    assert_eq!(person.editor().session.parameters(), [30.0]);
+    assert_eq!(person.text(), SCENE);
+    person.until_drawn();
+    assert_eq!(person.editor().session.outcome.as_ref().unwrap().revision, revision);
+    person.clicks_on("Write to the text");
+    assert_eq!(person.text(), SCENE.replace("width = 20", "width = 30"));
+    person.until_drawn();
+}
+
+#[test]
+fn boxes_are_ticked_and_values_reset() {
+    let mut person = Person::with(SCENE);
+    person.until_drawn();
+    let nodes = person.editor().session.shown.as_ref().unwrap().scene.graph.nodes.len();
+    person.harness.get_by_role_and_label(egui::Role::CheckBox, "hollow").click();
+    person.frames(3);
+    person.until_drawn();
+    assert!(person.editor().session.shown.as_ref().unwrap().scene.graph.nodes.len() > nodes);
+    person.clicks_on("Reset all");
+    person.until_drawn();
+    assert_eq!(person.editor().session.shown.as_ref().unwrap().scene.graph.nodes.len(), nodes);
+    assert_eq!(person.text(), SCENE);
+}
+
+#[test]
+fn a_row_of_the_tree_leads_to_its_expression() {
+    let mut person = Person::with(SCENE);
+    person.until_linked();
+    person.editor_mut().show_panel(Panel::Solids);
+    person.until("listed", |editor| editor.panels.lists("cube"));
+    person.sees("solids");
+    person.clicks_on("cube");
+    let caret = person.editor().session.active().caret;
+    assert!(person.text()[caret..].starts_with("cube"), "{caret}");
+}
+
+#[test]
+fn the_shader_is_that_of_the_scene() {
+    let mut person = Person::with("sphere(7);\n");
+    person.until_drawn();
+    person.editor_mut().show_panel(Panel::Shader);
+    person.until("made", |editor| editor.panels.shader_text().contains("fn scene_distance"));
+    person.goes_to("sphere");
+    person.types("translate([50, 0, 0]) cube(3);");
+    person.until("made again", |editor| {
+        editor.panels.shader_text().contains("fn box_distance") || editor.panels.shader_text().contains("50")
+    });
+    let shown = person.editor().session.shown.as_ref().unwrap();
+    assert_eq!(person.editor().panels.shader_text(), chiaro_compiler::shader::wgsl(&shown.scene.graph).unwrap());
+}
+
+#[test]
+fn a_message_leads_to_its_place() {
+    let mut person = Person::with("cube(1);\n\n\nsphree(2);\n");
+    person.until_compiled();
+    person.editor_mut().show_panel(Panel::Messages);
+    person.frames(2);
+    person.sees("messages");
+    person.harness.get_by_label_contains("there is no module").click();
+    person.frames(3);
+    let caret = person.editor().session.active().caret;
+    assert!(person.text()[caret..].starts_with("sphree"), "{caret}");
+}
+
+#[test]
+fn time_moves_the_scene() {
+    let mut person = Person::with("translate([20 * $t, 0, 0]) cube(5);\n");
+    person.until_drawn();
+    person.editor_mut().clock.set(0.5);
+    crate::panels::time::show_time(person.editor_mut());
+    person.until_drawn();
+    let value = person.editor().session.wanted().values.first().map(|value| value.value);
+    assert_eq!(value, Some(0.5));
+}

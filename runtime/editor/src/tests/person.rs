@@ -1,0 +1,228 @@
+//! Somebody who uses the editor.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use chiaro_render::Preference;
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, Vec2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use image::RgbaImage;
+use tempfile::TempDir;
+
+use crate::app::{Editor, Options};
+
+/// In points, which are pixels here.
+const WINDOW: Vec2 = vec2(1200.0, 640.0);
+/// The status line is not compared: it tells how long things took, and on what.
+const STATUS: u32 = 32;
+/// Nothing takes so long, on any machine.
+const PATIENCE: Duration = Duration::from_secs(240);
+/// How far a picture may be from the one that is kept: the mean of the differences, in steps of 8 bits.
+const TOLERANCE: f64 = 2.0;
+/// Samples of a picture that is waited for.
+const SAMPLES: u32 = 4;
+
+/// Somebody before a window.
+pub(super) struct Person {
+    pub(super) harness: Harness<'static, Editor>,
+    folder: TempDir,
+}
+
+impl Person {
+    /// Opens a scene with this text.
+    pub(super) fn with(text: &str) -> Self {
+        Self::with_files(&[("main.csg", text)])
+    }
+
+    /// Opens the first of some files that lie in one folder.
+    pub(super) fn with_files(files: &[(&str, &str)]) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, text) in files {
+            fs::write(folder.path().join(name), text).unwrap();
+        }
+        let first = files.first().map(|(name, _)| folder.path().join(name));
+        Self::before(folder, first.into_iter().collect())
+    }
+
+    /// Opens an editor with these files of a folder.
+    pub(super) fn before(folder: TempDir, files: Vec<PathBuf>) -> Self {
+        let options = Options {
+            files,
+            adapter: Preference::Software,
+            data: Some(folder.path().join("data")),
+            ..Default::default()
+        };
+        let build = move |context: &mut eframe::CreationContext<'static>| {
+            let mut editor = Editor::new(context, options);
+            editor.settings.samples = SAMPLES;
+            editor
+        };
+        let harness = Harness::builder().with_size(WINDOW).with_step_dt(0.1).wgpu().build_eframe(build);
+        let mut person = Self { harness, folder };
+        person.frames(2);
+        person
+    }
+
+    pub(super) fn editor(&self) -> &Editor {
+        self.harness.state()
+    }
+
+    pub(super) fn editor_mut(&mut self) -> &mut Editor {
+        self.harness.state_mut()
+    }
+
+    pub(super) fn text(&self) -> &str {
+        &self.editor().session.active().text
+    }
+
+    pub(super) fn file(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// Lets some frames pass.
+    pub(super) fn frames(&mut self, count: usize) {
+        self.harness.run_steps(count);
+    }
+
+    /// Waits until something is so.
+    #[track_caller]
+    pub(super) fn until(&mut self, what: &str, is_so: impl Fn(&Editor) -> bool) {
+        let begun = Instant::now();
+        while !is_so(self.editor()) {
+            let editor = self.editor();
+            assert!(
+                begun.elapsed() < PATIENCE,
+                "not {what}: {:?}, {:?}",
+                editor.session.trouble,
+                editor.session.active().text
+            );
+            std::thread::sleep(Duration::from_millis(10));
+            self.harness.step();
+        }
+    }
+
+    /// Waits until the picture is of the text, in all its samples.
+    #[track_caller]
+    pub(super) fn until_drawn(&mut self) {
+        self.until("drawn", |editor| {
+            let is_compiled = editor.session.outcome.as_ref().is_some() && !editor.session.is_outdated();
+            is_compiled && !editor.session.wanted().moving && editor.viewport.samples >= SAMPLES
+        });
+    }
+
+    /// Waits until the text is compiled, with or without errors.
+    #[track_caller]
+    pub(super) fn until_compiled(&mut self) {
+        self.until("compiled", |editor| editor.session.is_compiled());
+    }
+
+    /// Waits until picture and text are one.
+    #[track_caller]
+    pub(super) fn until_linked(&mut self) {
+        self.until_drawn();
+        let is_linked = |editor: &Editor| editor.session.shown.as_ref().is_some_and(|shown| shown.provenance.is_some());
+        self.until("linked", is_linked);
+    }
+
+    /// Writes letter by letter.
+    pub(super) fn types(&mut self, text: &str) {
+        for letter in text.chars() {
+            self.harness.event(Event::Text(letter.to_string()));
+            self.frames(1);
+        }
+    }
+
+    pub(super) fn presses(&mut self, modifiers: Modifiers, key: Key) {
+        self.harness.key_press_modifiers(modifiers, key);
+        self.frames(2);
+    }
+
+    /// Where a byte of the text is in the window.
+    pub(super) fn place(&self, byte: usize) -> Pos2 {
+        let page = self.harness.get_by_role(Role::MultilineTextInput).rect();
+        self.editor().text.place(byte) + page.min.to_vec2() + vec2(1.0, 0.0)
+    }
+
+    /// Puts the caret before some part of the text.
+    #[track_caller]
+    pub(super) fn goes_to(&mut self, part: &str) {
+        let at = self.place(self.text().find(part).unwrap());
+        self.clicks(at, Modifiers::NONE);
+        assert!(self.text()[self.editor().session.active().caret..].starts_with(part));
+    }
+
+    /// Rests with the pointer on some part of the text.
+    pub(super) fn rests_on(&mut self, part: &str) {
+        let at = self.place(self.text().find(part).unwrap());
+        self.harness.hover_at(at + vec2(3.0, 0.0));
+        self.frames(8);
+    }
+
+    pub(super) fn clicks(&mut self, at: Pos2, modifiers: Modifiers) {
+        self.harness.event(Event::ModifiersChanged(modifiers));
+        self.harness.hover_at(at);
+        self.frames(1);
+        for pressed in [true, false] {
+            self.harness.event(Event::PointerButton { pos: at, button: PointerButton::Primary, pressed, modifiers });
+            self.frames(1);
+        }
+        self.harness.event(Event::ModifiersChanged(Modifiers::NONE));
+        self.frames(1);
+    }
+
+    /// Clicks what has this name.
+    #[track_caller]
+    pub(super) fn clicks_on(&mut self, label: &str) {
+        self.harness.get_by_label(label).click();
+        self.frames(3);
+    }
+
+    /// Drags from one place to another in some steps.
+    pub(super) fn drags(&mut self, from: Pos2, by: Vec2, modifiers: Modifiers) {
+        let button = |pos, pressed| Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers };
+        self.harness.event(Event::ModifiersChanged(modifiers));
+        self.harness.hover_at(from);
+        self.frames(2);
+        self.harness.event(button(from, true));
+        self.frames(1);
+        for step in 1..=8 {
+            self.harness.hover_at(from + by * (step as f32 / 8.0));
+            self.frames(1);
+        }
+        self.harness.event(button(from + by, false));
+        self.harness.event(Event::ModifiersChanged(Modifiers::NONE));
+        self.frames(2);
+    }
+
+    /// Compares the window, but for its status line, with the picture of it that is kept. `CHIARO_BLESS=1` keeps this one.
+    #[track_caller]
+    pub(super) fn sees(&mut self, name: &str) {
+        self.harness.remove_cursor();
+        self.frames(2);
+        let seen = self.harness.render().unwrap();
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/pictures").join(format!("{name}.png"));
+        if std::env::var_os("CHIARO_BLESS").is_some() {
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            seen.save(&path).unwrap();
+            return;
+        }
+        let kept = image::open(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display())).to_rgba8();
+        let difference = difference(&seen, &kept);
+        if difference > TOLERANCE {
+            let now = std::env::temp_dir().join(format!("chiaro-editor-{name}.png"));
+            seen.save(&now).unwrap();
+            panic!("{name} differs by {difference:.2}: see {}; CHIARO_BLESS=1 keeps it", now.display());
+        }
+    }
+}
+
+/// The mean difference of two windows, in steps of 8 bits.
+fn difference(a: &RgbaImage, b: &RgbaImage) -> f64 {
+    assert_eq!(a.dimensions(), b.dimensions());
+    let rows = (a.height() - STATUS) * a.width();
+    let pixels = a.pixels().zip(b.pixels()).take(rows as usize);
+    let channels = pixels.flat_map(|(a, b)| (0..3).map(move |channel| f64::from(a[channel].abs_diff(b[channel]))));
+    channels.sum::<f64>() / f64::from(3 * rows)
+}
