@@ -7,6 +7,9 @@ mod solids;
 pub(crate) mod time;
 mod timings;
 
+#[cfg(test)]
+pub(crate) use timings::resident;
+
 use chiaro_compiler::syntax::Severity;
 use egui::{RichText, Ui};
 

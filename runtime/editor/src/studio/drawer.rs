@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use chiaro_render::{Error, Inspection, Legend, Mask, View};
 
-use super::{Event, Eye, Frame, Look, Order, Shared, Subject, Wanted, guarded};
+use super::{Event, Eye, Frame, Look, Order, Outlined, Shared, Subject, Wanted, guarded};
 use canvas::Canvas;
 use inspection::Inspecting;
 use pace::Pace;
@@ -141,10 +141,16 @@ impl Easel {
     }
 
     /// Which pixels show what is to be outlined.
-    fn mask(&mut self, view: View, size: [u32; 2], goes_on: &dyn Fn() -> bool) -> Result<Option<Mask>, Error> {
+    fn mask(
+        &mut self,
+        view: View,
+        size: [u32; 2],
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<Option<(Outlined, Mask)>, Error> {
         let (Some(subject), Some(outlined)) = (&self.subject, self.wanted.outlined.clone()) else { return Ok(None) };
         let parameters = self.wanted.parameters(&subject.scene);
-        self.inspecting()?.mask(view, size, &outlined, &parameters, goes_on)
+        let mask = self.inspecting()?.mask(view, size, &outlined, &parameters, goes_on)?;
+        Ok(mask.map(|mask| (outlined, mask)))
     }
 
     fn draw_small(&mut self, goes_on: &dyn Fn() -> bool) -> Result<Frame, Error> {
@@ -248,7 +254,7 @@ struct Picture {
     rgba: Vec<u8>,
     other: Option<Vec<u8>>,
     legend: Option<Legend>,
-    mask: Option<Mask>,
+    mask: Option<(Outlined, Mask)>,
     view: View,
     samples: u32,
     took: Duration,

@@ -76,7 +76,7 @@ pub(crate) struct Frame {
     /// What the colours mean, if the scene is not lit.
     pub(crate) legend: Option<Legend>,
     /// Which pixels show what is outlined.
-    pub(crate) mask: Option<Mask>,
+    pub(crate) mask: Option<(Outlined, Mask)>,
     pub(crate) view: View,
     pub(crate) samples: u32,
     pub(crate) timings: Timings,
@@ -221,7 +221,7 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
 /// Lets the window's thread go first, where threads have priorities of their own: typing must not wait for pictures.
 fn give_way() {
     #[cfg(target_os = "linux")]
-    if let Err(reason) = rustix::process::setpriority_process(None, 10) {
+    if let Err(reason) = rustix::process::setpriority_process(None, 5) {
         log::debug!("drawing is as important as the window: {reason}");
     }
 }

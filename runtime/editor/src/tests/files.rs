@@ -37,9 +37,10 @@ fn what_other_editors_save_is_drawn() {
 #[test]
 fn changes_of_ones_own_are_not_lost_to_those_of_others() {
     let mut person = Person::with("cube(1);\n");
+    person.until_drawn();
     person.goes_to("cube");
     person.types("sphere(1);");
-    person.until_drawn();
+    person.until_linked();
     replace(&person.file("main.csg"), "cube(5);\n");
     person.until("a conflict", |editor| editor.session.active().conflict.is_some());
     person.frames(2);
@@ -61,7 +62,7 @@ fn texts_are_saved_and_shaders_exported() {
     let path = person.file("main.csg");
     person.until("saved", |editor| !editor.session.active().is_modified());
     assert_eq!(fs::read_to_string(&path).unwrap(), "sphere(1);cube(1);\n");
-    person.until_drawn();
+    person.until_linked();
     person.presses(Modifiers::COMMAND, Key::E);
     person.sees("export");
     person.harness.get_by_role_and_label(egui::Role::Button, "Export").click();

@@ -11,7 +11,7 @@ const SCENE: &str = "width = 20; // [10:40]\nhollow = false;\n\
 #[test]
 fn sliders_move_the_picture_and_write_the_text_when_asked() {
     let mut person = Person::with(SCENE);
-    person.until_drawn();
+    person.until_linked();
     person.sees("parameters");
     let revision = person.editor().session.outcome.as_ref().unwrap().revision;
     person.harness.get_by_role_and_label(egui::Role::Slider, "width").set_value_accesskit(30.0);

@@ -18,7 +18,7 @@ const WINDOW: Vec2 = vec2(1200.0, 640.0);
 /// The status line is not compared: it tells how long things took, and on what.
 const STATUS: u32 = 32;
 /// Nothing takes so long, on any machine.
-const PATIENCE: Duration = Duration::from_secs(240);
+const PATIENCE: Duration = Duration::from_secs(400);
 /// How far a picture may be from the one that is kept: the mean of the differences, in steps of 8 bits.
 const TOLERANCE: f64 = 2.0;
 /// Samples of a picture that is waited for.
@@ -201,6 +201,8 @@ impl Person {
     pub(super) fn sees(&mut self, name: &str) {
         self.harness.remove_cursor();
         self.frames(2);
+        let is_settled = |editor: &Editor| editor.viewport.selection.is_none() || editor.viewport.is_outlined();
+        self.until("outlined", is_settled);
         let seen = self.harness.render().unwrap();
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/pictures").join(format!("{name}.png"));
         if std::env::var_os("CHIARO_BLESS").is_some() {

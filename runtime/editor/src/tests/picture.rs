@@ -17,7 +17,6 @@ fn a_click_on_a_surface_goes_to_its_expression() {
     let mut person = Person::with(SCENE);
     person.until_linked();
     let at = seen(&person, [12.0, 0.0, 0.0]);
-    person.editor_mut().viewport.forget_outline();
     person.clicks(at, Modifiers::NONE);
     let caret = person.editor().session.active().caret;
     assert!(person.text()[caret..].starts_with("sphere(8)"), "{caret}");

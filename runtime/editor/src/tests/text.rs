@@ -14,7 +14,7 @@ fn what_is_typed_is_drawn() {
     assert_eq!(person.text(), "sphere(8)\ncube(10);\n");
     person.types(");");
     assert_eq!(person.text(), "sphere(8);\ncube(10);\n");
-    person.until_drawn();
+    person.until_linked();
     assert!(!person.editor().session.has_errors());
     person.sees("typing");
     person.presses(Modifiers::COMMAND, Key::Z);

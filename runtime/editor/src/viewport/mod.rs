@@ -18,7 +18,7 @@ use egui::{Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, 
 
 use crate::app::Editor;
 use crate::document::DocumentId;
-use crate::studio::{Eye, Frame, Look, Timings, Wanted};
+use crate::studio::{Eye, Frame, Look, Outlined, Timings, Wanted};
 
 /// The largest picture, in pixels: more would only be slow.
 const MOST_PIXELS: f32 = 2.0e6;
@@ -30,6 +30,8 @@ pub(crate) struct Viewport {
     texture: Option<TextureHandle>,
     other: Option<TextureHandle>,
     outline: Option<TextureHandle>,
+    /// What the outline is of.
+    outlined: Option<Outlined>,
     legend: Option<chiaro_render::Legend>,
     /// Which text the view is of.
     document: Option<DocumentId>,
@@ -62,6 +64,7 @@ impl Default for Viewport {
             texture: None,
             other: None,
             outline: None,
+            outlined: None,
             legend: None,
             document: None,
             eye: Eye::Scene,
@@ -101,6 +104,11 @@ impl Viewport {
         self.drawn.map_or(navigation::PERSPECTIVE, |view| view.field_of_view)
     }
 
+    /// Whether the outline in the picture is that of the selection.
+    pub(crate) fn is_outlined(&self) -> bool {
+        self.outlined.is_some() && self.outlined == self.selection.as_ref().map(Selection::outlined)
+    }
+
     /// Shows a new picture.
     fn take(&mut self, ui: &Ui, frame: Frame, keeps_view: bool) {
         let image = |rgba: &[u8]| {
@@ -113,9 +121,10 @@ impl Viewport {
             None => self.other = None,
         }
         match &frame.mask {
-            Some(mask) => put(&mut self.outline, ui, "outline", outline::image(mask)),
+            Some((_, mask)) => put(&mut self.outline, ui, "outline", outline::image(mask)),
             None => self.outline = None,
         }
+        self.outlined = frame.mask.map(|(outlined, _)| outlined);
         (self.drawn, self.samples, self.timings, self.legend) =
             (Some(frame.view), frame.samples, frame.timings, frame.legend);
         // While the text is edited the picture stands still, unless the scene has a camera of its own.
@@ -200,7 +209,7 @@ fn paint(editor: &Editor, ui: &Ui, rect: Rect) {
     if let (Some(other), Some((_, part))) = (&viewport.other, viewport.compared) {
         wipe::paint(editor, &painter, rect, other, part);
     }
-    if let (Some(outline), Some(_)) = (&viewport.outline, &viewport.selection) {
+    if let Some(outline) = viewport.outline.as_ref().filter(|_| viewport.is_outlined()) {
         painter.image(outline.id(), rect, WHOLE, Color32::WHITE);
     }
     handles::paint(editor, ui, &painter);
@@ -213,15 +222,5 @@ impl Viewport {
         let rect = self.rect?;
         let ([x, y], _) = self.drawn?.project(point, [rect.width() as u32, rect.height() as u32])?;
         Some(rect.min + egui::vec2(x as f32, y as f32))
-    }
-
-    /// Waits for another outline.
-    pub(crate) fn forget_outline(&mut self) {
-        self.outline = None;
-    }
-
-    /// Whether there is an outline in the picture.
-    pub(crate) fn is_outlined(&self) -> bool {
-        self.outline.is_some() && self.selection.is_some()
     }
 }

@@ -3,7 +3,7 @@
 use chiaro_compiler::Scene;
 use chiaro_render::{Direct, Error, Floor, Lighting, Mask, Picture, View};
 
-use super::super::{Subject, Wanted};
+use super::super::{Outlined, Subject, Wanted};
 
 /// Pictures of one size, with what they show.
 pub(crate) struct Canvas {
@@ -89,7 +89,7 @@ impl Canvas {
     }
 
     /// What it shows now.
-    pub(crate) fn picture(&self, mask: Option<Mask>) -> Result<super::Picture, Error> {
+    pub(crate) fn picture(&self, mask: Option<(Outlined, Mask)>) -> Result<super::Picture, Error> {
         Ok(super::Picture {
             size: self.picture.size(),
             rgba: self.picture.resolve()?,
