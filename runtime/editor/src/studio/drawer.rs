@@ -235,8 +235,8 @@ impl Easel {
             (timings.first_sample, timings.to_frame) = (first_sample, asked.elapsed());
         }
         self.last_shown = Some(Instant::now());
-        let (revision, timings) = (subject.revision, *timings);
-        Ok(Frame { revision, size, rgba, other, legend, mask, view, samples, timings })
+        let (revision, timings, eye) = (subject.revision, *timings, self.wanted.eye);
+        Ok(Frame { revision, size, rgba, other, legend, mask, eye, view, samples, timings })
     }
 }
 

@@ -77,6 +77,8 @@ pub(crate) struct Frame {
     pub(crate) legend: Option<Legend>,
     /// Which pixels show what is outlined.
     pub(crate) mask: Option<(Outlined, Mask)>,
+    /// What was wanted of the view, and what that came to.
+    pub(crate) eye: Eye,
     pub(crate) view: View,
     pub(crate) samples: u32,
     pub(crate) timings: Timings,

@@ -127,8 +127,9 @@ impl Viewport {
         self.outlined = frame.mask.map(|(outlined, _)| outlined);
         (self.drawn, self.samples, self.timings, self.legend) =
             (Some(frame.view), frame.samples, frame.timings, frame.legend);
-        // While the text is edited the picture stands still, unless the scene has a camera of its own.
-        if keeps_view {
+        // While the text is edited the picture stands still, unless the scene has a camera of its own. (What was drawn for an
+        // eye before this one says nothing.)
+        if keeps_view && frame.eye == self.eye {
             self.eye = Eye::At(frame.view);
         }
     }
