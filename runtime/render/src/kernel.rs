@@ -225,3 +225,30 @@ pub(crate) fn buffer(gpu: &Gpu, what: &'static str, slot: Slot, bytes: u64) -> R
         })
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+    use super::*;
+
+    #[test]
+    fn uniforms_become_copies_of_storage_at_the_same_bindings() {
+        let module = naga::front::wgsl::parse_str(
+            "@group(0) @binding(1) var<uniform> live: array<vec4<f32>, 2>;
+            @group(1) @binding(0) var<storage, read_write> answer: array<f32>;
+            @compute @workgroup_size(1) fn ask() { if live[1].x > 0.5 { answer[0] = live[0].y; } }",
+        );
+        let module = without_uniforms(module.unwrap());
+        Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).unwrap();
+        let variables: Vec<_> = module.global_variables.iter().map(|(_, variable)| variable).collect();
+        assert!(variables.iter().all(|variable| variable.space != AddressSpace::Uniform), "{variables:?}");
+        let binding = naga::ResourceBinding { group: 0, binding: 1 };
+        let stored: Vec<_> = variables.iter().filter(|variable| variable.binding == Some(binding)).collect();
+        assert_eq!(stored.len(), 1, "{variables:?}");
+        assert_eq!(stored[0].space, AddressSpace::Storage { access: StorageAccess::LOAD });
+        // Without the copy, kernels would read zeros.
+        let first = module.entry_points[0].function.body.iter().nth(1);
+        assert!(matches!(first, Some(Statement::Store { .. })), "{first:?}");
+    }
+}
