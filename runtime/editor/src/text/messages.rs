@@ -110,13 +110,16 @@ mod tests {
         let file = sources.add(SourceFile::new("a.csg", before));
         let span = Span::new(file, 9..14);
         let diagnostics = [Diagnostic::error(span, "unknown").with_suggestion(span, "sphere")];
-        let ranges = |now: &str| -> Vec<Range<usize>> {
-            found(file, before, now, &diagnostics).into_iter().map(|message| message.range).collect()
+        let ranges = |now: &str| -> Vec<(usize, usize)> {
+            found(file, before, now, &diagnostics)
+                .into_iter()
+                .map(|message| (message.range.start, message.range.end))
+                .collect()
         };
-        assert_eq!(ranges("cube(1); spere(2);"), [9..14]);
-        assert_eq!(ranges("cube(100); spere(2);"), [11..16]);
-        assert_eq!(ranges("cube(1); spere(200);"), [9..14]);
-        assert_eq!(ranges("cube(1); sp0ere(2);"), [9..15]);
+        assert_eq!(ranges("cube(1); spere(2);"), [(9, 14)]);
+        assert_eq!(ranges("cube(100); spere(2);"), [(11, 16)]);
+        assert_eq!(ranges("cube(1); spere(200);"), [(9, 14)]);
+        assert_eq!(ranges("cube(1); sp0ere(2);"), [(9, 15)]);
         assert_eq!(ranges("cube(1"), []);
     }
 

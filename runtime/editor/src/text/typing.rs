@@ -102,7 +102,7 @@ impl Selected<'_> {
         }
         let (before, after) = self.text.split_at(self.caret);
         let is_pair = |(opener, closer): &(char, char)| before.ends_with(*opener) && after.starts_with(*closer);
-        if PAIRS.iter().any(|pair| is_pair(pair)) {
+        if PAIRS.iter().any(is_pair) {
             return Some(Change::replacement(self.caret - 1..self.caret + 1, ""));
         }
         let spaces = before.len() - before.trim_end_matches(' ').len();
