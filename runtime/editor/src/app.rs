@@ -154,6 +154,10 @@ impl eframe::App for Editor {
                 Panel::right("panel").default_size(320.0).show(ui, |ui| panels::show(self, ui));
             }
         }
+        if self.only_picture && self.session.has_errors() {
+            // Whoever writes elsewhere has to see here what is wrong.
+            Panel::bottom("messages").max_size(180.0).show(ui, |ui| panels::messages::show(self, ui));
+        }
         if panels::time::is_wanted(self) {
             Panel::bottom("time").show(ui, |ui| panels::time::show(self, ui));
         }

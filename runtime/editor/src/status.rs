@@ -15,7 +15,8 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
         } else if !session.is_compiled() {
             ui.label("compiling…");
         } else if session.has_errors() {
-            ui.colored_label(Color32::from_rgb(220, 80, 60), "the picture is of the last text without errors");
+            let picture = if session.shown.is_some() { ": the picture is of the last text without any" } else { "" };
+            ui.colored_label(Color32::from_rgb(220, 80, 60), format!("errors{picture}"));
         } else if session.is_outdated() {
             ui.label("drawing…");
         } else {

@@ -22,6 +22,9 @@ const MOST_IN_ROW: usize = 600;
 /// So many bytes can be read through at every frame.
 const SMALL: usize = 200_000;
 
+/// A text of more bytes is not coloured: laying out a row takes as long as it has colours, and all rows are.
+const MOST_COLORED: usize = 300_000;
+
 /// A text as it is laid out.
 pub(crate) struct Layout {
     text: String,
@@ -90,7 +93,7 @@ impl Layout {
     }
 
     fn lay_out(&mut self, ui: &Ui, look: &Look) {
-        let highlights = highlight(&self.text);
+        let highlights = if self.text.len() <= MOST_COLORED { highlight(&self.text) } else { Vec::new() };
         let mut writer =
             Writer { ui, look, highlights: &highlights, next: 0, before: &self.known, after: HashMap::new() };
         let (mut rows, mut galleys, mut is_end) = (Vec::new(), Vec::new(), Vec::new());

@@ -14,7 +14,7 @@ pub(crate) use selection::Selection;
 
 use chiaro_compiler::shader::Shadows;
 use chiaro_render::{Direct, View};
-use egui::{Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, Vec2, pos2};
+use egui::{Align2, Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, Vec2, pos2};
 
 use crate::app::Editor;
 use crate::document::DocumentId;
@@ -204,8 +204,15 @@ fn want(editor: &mut Editor, ui: &Ui, size: Vec2) {
 fn paint(editor: &Editor, ui: &Ui, rect: Rect) {
     let (viewport, painter) = (&editor.viewport, ui.painter_at(rect));
     painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
-    if let Some(texture) = &viewport.texture {
-        painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
+    match &viewport.texture {
+        Some(texture) => {
+            painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
+        }
+        None => {
+            let why = if editor.session.has_errors() { "There is nothing to draw before the errors are mended" } else { "drawing…" };
+            let font = egui::TextStyle::Body.resolve(ui.style());
+            painter.text(rect.center(), Align2::CENTER_CENTER, why, font, ui.visuals().weak_text_color());
+        }
     }
     if let (Some(other), Some((_, part))) = (&viewport.other, viewport.compared) {
         wipe::paint(editor, &painter, rect, other, part);
