@@ -209,10 +209,10 @@ fn paint(editor: &Editor, ui: &Ui, rect: Rect) {
             painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
         }
         None => {
-            let why = if editor.session.has_errors() {
-                "There is nothing to draw before the errors are mended"
-            } else {
-                "drawing…"
+            let why = match &editor.session.trouble {
+                Some(trouble) => trouble.as_str(),
+                None if editor.session.has_errors() => "There is nothing to draw before the errors are mended",
+                None => "drawing…",
             };
             let font = egui::TextStyle::Body.resolve(ui.style());
             painter.text(rect.center(), Align2::CENTER_CENTER, why, font, ui.visuals().weak_text_color());
