@@ -105,3 +105,16 @@ pub struct Graph {
     /// The distinct live numbers in points, nodes and materials.
     pub slots: Vec<Scalar>,
 }
+
+impl Graph {
+    /// Whether it is the same field, from whichever places of the text: then the shaders of one serve the other.
+    pub fn is_same_field(&self, other: &Graph) -> bool {
+        let Self { points, nodes, facts, spans: _, root, materials, slots } = self;
+        *root == other.root
+            && *points == other.points
+            && *nodes == other.nodes
+            && *facts == other.facts
+            && *materials == other.materials
+            && *slots == other.slots
+    }
+}

@@ -1,7 +1,8 @@
 //! Edits of one number, which need no new pipeline.
 //!
 //! Practice: the first edit of a number compiles the scene with that number live. Until something else is edited, the value
-//! goes to the picture as a uniform. Some time after the last of these edits, the text is compiled as it stands.
+//! goes to the picture as a uniform. Some time after the last of these edits, the text is compiled as it stands, with the number live
+//! as before, so that the picture keeps its pipelines.
 
 use std::ops::Range;
 

@@ -14,7 +14,7 @@ use crate::document::{Document, DocumentId};
 use crate::live_edit::number_edit;
 use crate::studio::{Buffers, Event, Frame, LiveValue, Program, Studio, Wanted};
 
-/// So long after the last edit of a number, the text is compiled as it stands.
+/// So long after the last edit of a number, the text is compiled as it stands: for its messages, and for its places.
 const SETTLED: Duration = Duration::from_millis(900);
 
 /// The open texts and their scene.
@@ -306,7 +306,9 @@ impl Session {
         self.reload();
         let since = self.running.as_ref()?.settles_after?.elapsed();
         if since >= SETTLED {
-            self.compile(None);
+            // The number stays live: the field is the same then, and needs no new pipelines.
+            let live = self.running.as_ref().and_then(|running| running.live);
+            self.compile(live);
             return None;
         }
         Some(SETTLED - since)

@@ -80,6 +80,11 @@ impl Model {
         Ok(model)
     }
 
+    /// Whether it draws this field: then a new one would be no other.
+    pub fn is_of(&self, graph: &Graph) -> bool {
+        self.graph.is_same_field(graph)
+    }
+
     /// The box that the scene fills while the live numbers have their present values, cut where it has no end.
     pub fn extent(&self, gpu: &Gpu) -> Result<Bounds> {
         measure::extent(gpu, self)

@@ -7,6 +7,7 @@ use egui::{ComboBox, Context, DragValue, ProgressBar, Ui, Window};
 use super::place::Place;
 use crate::app::Editor;
 use crate::darkroom::{Shot, still};
+use crate::panels::shader;
 use crate::worker::Job;
 
 /// The most pixels along an edge.
@@ -138,11 +139,8 @@ fn text_job(
         let text = editor.session.scene_document().text.clone();
         return Some(Job::start(context, move |_| write(&path, &text)));
     }
-    let scene = editor.session.shown.as_ref()?.scene.clone();
-    Some(Job::start(context, move |_| {
-        let text = chiaro_compiler::shader::wgsl(&scene.graph).map_err(|error| error.message)?;
-        write(&path, &text)
-    }))
+    let program = editor.session.shown.as_ref().map(|_| editor.session.program())?;
+    Some(Job::start(context, move |_| write(&path, &shader::code(program)?)))
 }
 
 /// Shows the dialog, if it is open.

@@ -2,7 +2,7 @@
 
 pub(crate) mod messages;
 mod parameters;
-mod shader;
+pub(crate) mod shader;
 mod solids;
 pub(crate) mod time;
 mod timings;

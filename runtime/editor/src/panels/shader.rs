@@ -4,10 +4,12 @@
 
 mod highlight;
 
+use chiaro_compiler::compile;
 use egui::{ScrollArea, TextStyle, Ui};
 
 use crate::app::Editor;
 use crate::dialogs::export::Export;
+use crate::studio::{BufferWorld, Program};
 use crate::worker::Job;
 
 /// The code of a revision.
@@ -65,11 +67,17 @@ fn refresh(editor: &mut Editor, ui: &Ui) {
     }
     let Some(shown) = &editor.session.shown else { return };
     if shader.revision != Some(shown.revision) && shader.making.is_none() {
-        let scene = shown.scene.clone();
         shader.revision = Some(shown.revision);
-        let made = move |_: &_| chiaro_compiler::shader::wgsl(&scene.graph).map_err(|error| error.message);
-        shader.making = Job::start(ui.ctx(), made).ok();
+        let program = editor.session.program();
+        shader.making = Job::start(ui.ctx(), move |_| code(program)).ok();
     }
+}
+
+/// The code of a program as it stands, without numbers that are live only because they were edited.
+pub(crate) fn code(program: Program) -> Result<String, String> {
+    let world = BufferWorld::new(program.buffers);
+    let scene = compile(&world, &program.main, &program.options).scene.ok_or("the scene has errors")?;
+    chiaro_compiler::shader::wgsl(&scene.graph).map_err(|error| error.message)
 }
 
 impl ShaderText {

@@ -4,23 +4,23 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use chiaro_compiler::{Compilation, compile};
+use chiaro_compiler::{Compilation, Scene, compile};
 use chiaro_render::{Error, Gpu, Model, Preference};
 
 use super::{BufferWorld, Compiled, Event, Program, Shared, Subject, Timings, guarded, lock};
 
 /// Compiles programs until the window is closed.
 pub(crate) fn work(shared: &Shared, preference: &Preference) {
-    let mut gpu = None;
+    let mut workshop = Workshop::default();
     while let Some(program) = shared.programs.take() {
-        if let Err(message) = guarded(|| compile_and_hand_over(shared, preference, &mut gpu, program)) {
+        if let Err(message) = guarded(|| compile_and_hand_over(shared, preference, &mut workshop, program)) {
             shared.say(Event::Trouble(message));
         }
     }
 }
 
 /// Text to field graph, which the window hears of; then to pipelines, which the drawing thread gets.
-fn compile_and_hand_over(shared: &Shared, preference: &Preference, gpu: &mut Option<Gpu>, program: Program) {
+fn compile_and_hand_over(shared: &Shared, preference: &Preference, workshop: &mut Workshop, program: Program) {
     let asked = Instant::now();
     let cancelled = Arc::new(AtomicBool::new(false));
     *lock(&shared.cancelled) = cancelled.clone();
@@ -38,9 +38,7 @@ fn compile_and_hand_over(shared: &Shared, preference: &Preference, gpu: &mut Opt
 
     let Some(scene) = scene else { return };
     let begun = Instant::now();
-    let model = opened(shared, preference, gpu)
-        .and_then(|gpu| Ok((gpu.clone(), Model::new(gpu, &scene.picture(), &scene.defaults())?)));
-    match model {
+    match workshop.model(shared, preference, &scene) {
         Ok((gpu, model)) => {
             timings.pipelines = begun.elapsed();
             let subject = Subject { revision, scene: scene.clone(), gpu, model, timings };
@@ -48,7 +46,7 @@ fn compile_and_hand_over(shared: &Shared, preference: &Preference, gpu: &mut Opt
         }
         Err(error) => {
             if matches!(error, Error::Lost(_) | Error::Stuck(_)) {
-                *gpu = None;
+                *workshop = Workshop::default();
             }
             return shared.say(Event::Trouble(error.to_string()));
         }
@@ -60,17 +58,44 @@ fn compile_and_hand_over(shared: &Shared, preference: &Preference, gpu: &mut Opt
     }
 }
 
-/// The device, opened when first asked for and after it was lost.
-fn opened<'g>(shared: &Shared, preference: &Preference, gpu: &'g mut Option<Gpu>) -> chiaro_render::Result<&'g Gpu> {
-    if shared.device_lost.swap(false, Ordering::SeqCst) {
-        *gpu = None;
+/// The device, and what was made last on it.
+#[derive(Default)]
+struct Workshop {
+    gpu: Option<Gpu>,
+    model: Option<Model>,
+}
+
+impl Workshop {
+    /// The model of a scene: the last one, if only places of the text changed, or the value of a live number.
+    fn model(
+        &mut self,
+        shared: &Shared,
+        preference: &Preference,
+        scene: &Scene,
+    ) -> chiaro_render::Result<(Gpu, Model)> {
+        let gpu = self.opened(shared, preference)?;
+        let graph = scene.picture();
+        let model = match self.model.take().filter(|model| model.is_of(&graph)) {
+            Some(model) => model,
+            None => Model::new(&gpu, &graph, &scene.defaults())?,
+        };
+        self.model = Some(model.clone());
+        Ok((gpu, model))
     }
-    if gpu.is_none() {
+
+    /// The device, opened when first asked for and after it was lost.
+    fn opened(&mut self, shared: &Shared, preference: &Preference) -> chiaro_render::Result<Gpu> {
+        if shared.device_lost.swap(false, Ordering::SeqCst) {
+            *self = Self::default();
+        }
+        if let Some(gpu) = &self.gpu {
+            return Ok(gpu.clone());
+        }
         let opened = open(preference)?;
         shared.say(Event::Device(opened.description().name.clone()));
-        *gpu = Some(opened);
+        self.gpu = Some(opened.clone());
+        Ok(opened)
     }
-    gpu.as_ref().ok_or(Error::NoDriver)
 }
 
 /// Opens the device on a thread that gives way to the window's, since those that a software adapter draws with are as
