@@ -248,7 +248,7 @@ mod tests {
         assert_eq!(stored.len(), 1, "{variables:?}");
         assert_eq!(stored[0].space, AddressSpace::Storage { access: StorageAccess::LOAD });
         // Without the copy, kernels would read zeros.
-        let first = module.entry_points[0].function.body.iter().nth(1);
+        let first = module.entry_points[0].function.body.get(1);
         assert!(matches!(first, Some(Statement::Store { .. })), "{first:?}");
     }
 }
