@@ -41,6 +41,8 @@ pub(crate) struct Emitted {
     pub(crate) tables: Tables,
     /// The functions that stand for the graph, callees first.
     pub(crate) functions: Vec<OwnFunction>,
+    /// The names of nodes' values, with the text each node came from.
+    pub(crate) names: FxHashMap<String, Span>,
 }
 
 /// A function that stands for some of the graph.
@@ -163,7 +165,10 @@ impl<'g> Emission<'g> {
         match self.failure {
             Some(failure) => Err(failure),
             None => {
-                Ok(Emitted { module: self.linker.finish(), tables: self.tables.finish(), functions: self.functions })
+                let span = |node: NodeId| self.graph.spans[node.0 as usize];
+                let names = self.node_names.into_iter().map(|(node, name)| (name, span(node))).collect();
+                let (module, tables) = (self.linker.finish(), self.tables.finish());
+                Ok(Emitted { module, tables, functions: self.functions, names })
             }
         }
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use chiaro_field::Graph;
-use chiaro_syntax::Diagnostic;
+use chiaro_syntax::{Diagnostic, Span};
 use naga::back::wgsl::{WriterFlags, write_string};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{AddressSpace, ArraySize, Function, Handle, Module, TypeInner};
@@ -12,10 +12,24 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use crate::emit::{Emitted, OwnFunction, emit};
 use crate::template::{SCENE, Template};
 
+/// A text, with what its lines stand for.
+#[derive(Clone, Debug, Default)]
+pub struct Listing {
+    /// The text.
+    pub text: String,
+    /// The lines, counted from 0, that make the distance of a shape or operator, with the expression it is in the scene's text.
+    pub lines: Vec<(usize, Span)>,
+}
+
 /// The scene as a WGSL library of `scene_distance` and `scene_surface`, with what they call and nothing else.
 ///
 /// Where it declares `live` or `tables`, the bindings are those of [`bindings`](crate::bindings).
 pub fn wgsl(graph: &Graph) -> Result<String, Diagnostic> {
+    Ok(listing(graph)?.text)
+}
+
+/// The same, with what its lines stand for.
+pub fn listing(graph: &Graph) -> Result<Listing, Diagnostic> {
     let emitted = emit(graph, Template::Library.parsed())?;
     let own = own_text(&emitted)?;
     let mut text = String::new();
@@ -24,9 +38,17 @@ pub fn wgsl(graph: &Graph) -> Result<String, Diagnostic> {
         text += "\n";
     }
     text += &variables(&emitted.module);
+    let above = text.lines().count();
     text += own.trim_end();
     text += "\n";
-    Ok(text)
+    let spans =
+        own.lines().enumerate().filter_map(|(line, value)| Some((above + line, *emitted.names.get(named(value)?)?)));
+    Ok(Listing { lines: spans.collect(), text })
+}
+
+/// The name of the value that a line makes.
+fn named(line: &str) -> Option<&str> {
+    line.trim_start().strip_prefix("let ")?.split_once(" = ").map(|(name, _)| name)
 }
 
 /// A declaration of a WGSL text, with the comment above it.

@@ -140,7 +140,7 @@ fn text_job(
         return Some(Job::start(context, move |_| write(&path, &text)));
     }
     let program = editor.session.shown.as_ref().map(|_| editor.session.program())?;
-    Some(Job::start(context, move |_| write(&path, &shader::code(program)?)))
+    Some(Job::start(context, move |_| write(&path, &shader::code(program)?.text)))
 }
 
 /// Shows the dialog, if it is open.

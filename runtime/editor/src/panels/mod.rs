@@ -73,4 +73,9 @@ impl Panels {
     pub(crate) fn shader_text(&self) -> &str {
         self.shader.text()
     }
+
+    /// The lines of it that are marked.
+    pub(crate) fn marked_lines(&self) -> Vec<&str> {
+        self.shader.marked()
+    }
 }

@@ -65,6 +65,16 @@ fn the_shader_is_that_of_the_scene() {
     let expected = chiaro_compiler::shader::wgsl(&shown.scene.graph).unwrap();
     assert!(expected.contains("51.5"), "the middle of the cube: {expected}");
     person.until("made again", move |editor| editor.panels.shader_text() == expected);
+    person.until_linked();
+    person.goes_to("cube");
+    person.until("marked", |editor| !editor.panels.marked_lines().is_empty());
+    let marked = person.editor().panels.marked_lines();
+    assert!(marked.iter().all(|line| line.contains("let box_a = ")), "{marked:?}");
+    person.sees("shader");
+    person.goes_to("translate");
+    person.until("marked", |editor| editor.viewport.is_outlined());
+    let marked = person.editor().panels.marked_lines();
+    assert!(marked.iter().all(|line| line.contains("let box_a = ")) && !marked.is_empty(), "{marked:?}");
 }
 
 #[test]
