@@ -165,8 +165,8 @@ impl<'g> Emission<'g> {
         match self.failure {
             Some(failure) => Err(failure),
             None => {
-                let span = |node: NodeId| self.graph.spans[node.0 as usize];
-                let names = self.node_names.into_iter().map(|(node, name)| (name, span(node))).collect();
+                let span = |node: NodeId| self.graph.spans.get(node.0 as usize).copied();
+                let names = self.node_names.into_iter().filter_map(|(node, name)| Some((name, span(node)?))).collect();
                 let (module, tables) = (self.linker.finish(), self.tables.finish());
                 Ok(Emitted { module, tables, functions: self.functions, names })
             }

@@ -96,8 +96,9 @@ impl Easel {
         }
         let Some(wanted) = order.wanted else { return };
         if wanted != self.wanted {
-            let only_better = Wanted { samples: self.wanted.samples, moving: self.wanted.moving, ..wanted.clone() };
-            let is_same_picture = only_better == self.wanted;
+            let Wanted { samples, moving, outlined, .. } = self.wanted.clone();
+            // What is outlined lies over the picture.
+            let is_same_picture = Wanted { samples, moving, outlined, ..wanted.clone() } == self.wanted;
             self.wanted = wanted;
             self.stage = if is_same_picture && self.stage != Stage::Small { Stage::Full } else { Stage::Small };
         }
