@@ -52,10 +52,17 @@ pub(crate) struct OwnFunction {
     pub(crate) comment: &'static str,
 }
 
+/// What a value that comes from an expression is to be called, if anything is known about that.
+type ToldNames<'g> = &'g dyn Fn(Span) -> Option<String>;
+
 /// Emits `scene_distance` and `scene_surface` in the place of a template's stubs.
-pub(crate) fn emit(graph: &Graph, template: &'static Parsed) -> Result<Emitted, Diagnostic> {
+pub(crate) fn emit<'g>(
+    graph: &'g Graph,
+    template: &'static Parsed,
+    told: ToldNames<'g>,
+) -> Result<Emitted, Diagnostic> {
     check_size(graph)?;
-    let mut emission = Emission::new(graph, template);
+    let mut emission = Emission::new(graph, template, told);
     emission.scene_distance();
     emission.scene_surface(template);
     emission.finish()
@@ -86,6 +93,7 @@ fn check_size(graph: &Graph) -> Result<(), Diagnostic> {
 /// What the functions of one module share.
 struct Emission<'g> {
     graph: &'g Graph,
+    told: ToldNames<'g>,
     linker: Linker,
     types: Types,
     names: Names,
@@ -108,11 +116,12 @@ struct Emission<'g> {
 }
 
 impl<'g> Emission<'g> {
-    fn new(graph: &'g Graph, template: &'static Parsed) -> Self {
+    fn new(graph: &'g Graph, template: &'static Parsed, told: ToldNames<'g>) -> Self {
         let mut linker = Linker::new(template);
         let types = Types::of(linker.module());
         Self {
             graph,
+            told,
             linker,
             types,
             names: Names::new(template.functions.keys().cloned()),
@@ -241,8 +250,13 @@ impl<'e, 'g> Scope<'e, 'g> {
 
     /// Names a node's value as everywhere.
     fn name_node(&mut self, value: Value, node: NodeId, prefix: &'static str) -> Value {
-        let Emission { names, node_names, .. } = &mut *self.emission;
-        let name = node_names.entry(node).or_insert_with(|| names.next(prefix)).clone();
+        let Emission { graph, told, names, node_names, .. } = &mut *self.emission;
+        let told = || graph.spans.get(node.0 as usize).and_then(|span| told(*span));
+        let name = || match told() {
+            Some(own) => names.next(&format!("{own}_{prefix}")),
+            None => names.next(prefix),
+        };
+        let name = node_names.entry(node).or_insert_with(name).clone();
         self.builder.name(value, name)
     }
 

@@ -21,4 +21,4 @@ pub use shadows::{Shadows, Verified};
 pub use splice::{Shader, splice};
 pub use tables::Tables;
 pub use template::{GLOSS_TABLE, Inspect, Template};
-pub use text::{Listing, listing, wgsl};
+pub use text::{Library, Listing, Names, library, listing, wgsl};

@@ -24,7 +24,7 @@ pub struct Shader {
 
 /// Splices a scene into a template. An error says that the scene is too large for a shader, or holds a NaN.
 pub fn splice(graph: &Graph, template: Template) -> Result<Shader, Diagnostic> {
-    let Emitted { module, tables, .. } = emit(graph, template.parsed())?;
+    let Emitted { module, tables, .. } = emit(graph, template.parsed(), &|_| None)?;
     let is_live = module.global_variables.iter().any(|(_, variable)| variable.binding == Some(crate::bindings::LIVE));
     let live_numbers = if is_live { graph.slots.len() } else { 0 };
     let entry_points = module.entry_points.iter().map(|entry_point| entry_point.name.clone()).collect();
