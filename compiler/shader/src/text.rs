@@ -33,7 +33,7 @@ pub fn listing(graph: &Graph) -> Result<Listing, Diagnostic> {
     let emitted = emit(graph, Template::Library.parsed())?;
     let own = own_text(&emitted)?;
     let mut text = String::new();
-    for declaration in called(&emitted, &own) {
+    for declaration in called(&emitted, &own, "") {
         text += declaration.text;
         text += "\n";
     }
@@ -44,6 +44,15 @@ pub fn listing(graph: &Graph) -> Result<Listing, Diagnostic> {
     let spans =
         own.lines().enumerate().filter_map(|(line, value)| Some((above + line, *emitted.names.get(named(value)?)?)));
     Ok(Listing { lines: spans.collect(), text })
+}
+
+/// The scene as in [`wgsl`], above a text that calls its functions.
+pub(crate) fn with_pass(graph: &Graph, pass: &str) -> Result<String, Diagnostic> {
+    let emitted = emit(graph, Template::Library.parsed())?;
+    let own = own_text(&emitted)?;
+    let library = called(&emitted, &own, pass);
+    let above: String = library.iter().flat_map(|declaration| [declaration.text, "\n"]).collect();
+    Ok([above, variables(&emitted.module), own, pass.to_owned()].join(""))
 }
 
 /// The name of the value that a line makes.
@@ -58,14 +67,14 @@ struct Declaration {
     text: &'static str,
 }
 
-/// The declarations of the vocabulary and of `scene.wgsl` that the scene reaches, in their order.
-fn called(emitted: &Emitted, own: &str) -> Vec<Declaration> {
+/// The declarations of the vocabulary and of `scene.wgsl` that the scene and a pass below it reach, in their order.
+fn called(emitted: &Emitted, own: &str, pass: &str) -> Vec<Declaration> {
     let own_functions: FxHashSet<Handle<Function>> = emitted.functions.iter().map(|own| own.handle).collect();
     let functions: FxHashSet<&str> = (emitted.module.functions.iter())
         .filter(|(handle, _)| !own_functions.contains(handle))
         .filter_map(|(_, function)| function.name.as_deref())
         .collect();
-    let mut mentioned: FxHashSet<&str> = words(own).collect();
+    let mut mentioned: FxHashSet<&str> = words(own).chain(words(pass)).collect();
     let mut called = Vec::new();
     // Constants and types stand above those who mention them.
     let all: Vec<Declaration> = declarations(chiaro_vocabulary::source()).chain(declarations(SCENE)).collect();
