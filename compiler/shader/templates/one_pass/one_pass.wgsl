@@ -164,12 +164,12 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
             let cosine = dot(n, query.w);
             let open = clamp(smooth_area(answer.least) / smooth_area(cosine / SKY_SINE), 0.0, 1.0);
             let falls = query.w.z < -1e-6 && setting_has_floor() && position.z > setting_floor();
-            var beyond = select(sky(query.w, 1.0), background, catches);
+            var beyond = select(sky_of_cone(query.w), background, catches);
             if falls {
                 let at = query.o + query.end * query.w;
-                beyond = second_radiance(at, vec3<f32>(0.0, 0.0, 1.0), floor_surface(), LAST_SEEN);
+                beyond = second_radiance(at, vec3<f32>(0.0, 0.0, 1.0), floor_surface(), FLOOR_SEEN, 0.0);
             }
-            let covering = second_radiance(met_position, -query.w, met, LAST_SEEN);
+            let covering = second_radiance(met_position, -query.w, met, LAST_SEEN, GLOW_PART);
             sky_weight += cosine;
             sky_light += cosine * mix(covering, beyond, open);
         } else if stage == STAGE_MIRROR {
@@ -186,7 +186,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
                     mirror_surface = floor_surface();
                     mirror_open = 0.0;
                 }
-                mirror_light = second_radiance(mirror_position, mirror_n, mirror_surface, 0.0);
+                mirror_light = second_radiance(mirror_position, mirror_n, mirror_surface, 0.0, 1.0);
                 stage = STAGE_MIRROR_LIGHT;
                 index = -1;
             } else {
@@ -309,14 +309,16 @@ fn direct_radiance(x: Vertex, light: Light, p: vec3<f32>, irradiance: f32) -> ve
     let body = (1.0 - x.albedo) * x.body / PI * irradiance;
     // The lobe sees the point of the light's cone that is nearest to the mirror's direction.
     let cone = light_bound(light, p);
-    let mirrored = reflect(-x.v, x.n);
-    let aside = mirrored - dot(mirrored, cone.xyz) * cone.xyz;
-    let tangent = cone.w / sqrt(max(1.0 - cone.w * cone.w, 1e-4));
-    let off = aside / max(dot(mirrored, cone.xyz), 1e-3);
-    let towards = select(cone.xyz, normalize(cone.xyz + off * min(1.0, tangent / max(length(off), 1e-9))), dot(mirrored, cone.xyz) > 0.0);
-    let widened = clamp(x.alpha + 0.5 * cone.w, 0.0, 1.0);
-    let narrowing = x.alpha / widened;
     let cosine = max(dot(x.n, cone.xyz), 0.1);
+    let sine = min(cone.w, sqrt(irradiance / (PI * cosine)));
+    let tangent = sine / sqrt(max(1.0 - sine * sine, 1e-4));
+    let mirrored = reflect(-x.v, x.n);
+    let along = dot(mirrored, cone.xyz);
+    let off = (mirrored - along * cone.xyz) / max(along, 1e-3);
+    let nearest = normalize(cone.xyz + off * min(1.0, tangent / max(length(off), 1e-9)));
+    let towards = select(cone.xyz, nearest, along > 0.0);
+    let widened = clamp(x.alpha + 0.5 * sine, 0.0, 1.0);
+    let narrowing = x.alpha / widened;
     let gloss = gloss_towards(x, towards, 0.0) * narrowing * narrowing * irradiance / cosine;
     return (body + gloss) * light.radiance.rgb;
 }
