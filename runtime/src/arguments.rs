@@ -135,6 +135,10 @@ pub(crate) struct Render {
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..=65_536))]
     pub(crate) samples: u32,
 
+    /// Draw as exported shaders draw it: at once, with four rays a pixel, and no samples.
+    #[arg(long, conflicts_with_all = ["samples", "shadows", "shadow_cells"])]
+    pub(crate) one_pass: bool,
+
     /// From where to look: front, back, left, right, top, bottom, diagonal; or OpenSCAD's camera, RX,RY,RZ in degrees
     /// (framed from the bounds) or TX,TY,TZ,RX,RY,RZ,DISTANCE. Otherwise the scene's own view.
     #[arg(long, value_name = "VIEW", allow_hyphen_values = true)]

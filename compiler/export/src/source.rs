@@ -28,8 +28,8 @@ impl Source {
     /// That of a field with these live numbers; values are called as `names` says.
     ///
     /// An error if the scene has outlines with more edges than constants may hold.
-    pub fn new(graph: &Graph, live: &[LiveParameter], names: Names) -> Result<Self, Diagnostic> {
-        let Library { vocabulary, functions, tables, .. } = library(graph, names)?;
+    pub fn new(graph: &Graph, live: &[LiveParameter], names: Names, caller: &str) -> Result<Self, Diagnostic> {
+        let Library { vocabulary, functions, tables, .. } = library(graph, names, caller)?;
         if tables.rows.len() > MOST_ROWS {
             let root = graph.spans.get(graph.root.0 as usize).copied();
             let count = tables.rows.len();

@@ -10,6 +10,7 @@ mod build;
 mod emit;
 mod link;
 mod names;
+mod one_pass;
 mod shadows;
 mod splice;
 mod tables;
@@ -17,8 +18,9 @@ mod template;
 mod text;
 
 pub use emit::MAX_NODES;
+pub use one_pass::{Light, Setting, Sky, one_pass};
 pub use shadows::{Shadows, Verified};
 pub use splice::{Shader, splice};
 pub use tables::Tables;
-pub use template::{GLOSS_TABLE, Inspect, Template};
+pub use template::{FOR_SCREENS, GLOSS_TABLE, Inspect, Template};
 pub use text::{Library, Listing, Names, library, listing, wgsl};

@@ -52,23 +52,23 @@ pub fn wgsl(graph: &Graph) -> Result<String, Diagnostic> {
 /// The same, with what its lines stand for.
 pub fn listing(graph: &Graph) -> Result<Listing, Diagnostic> {
     let emitted = emit(graph, Template::Library.parsed(), &|_| None)?;
-    let Library { vocabulary, functions, lines, .. } = library_of(&emitted)?;
+    let Library { vocabulary, functions, lines, .. } = library_of(&emitted, "")?;
     let above = vocabulary + &variables(&emitted.module);
     let first = above.lines().count();
     let lines = lines.into_iter().map(|(line, span)| (first + line, span)).collect();
     Ok(Listing { lines, text: above + functions.trim_end() + "\n" })
 }
 
-/// The same in parts, with values called by these names.
-pub fn library(graph: &Graph, names: Names) -> Result<Library, Diagnostic> {
+/// The same in parts, with values called by these names, for a text that mentions functions and constants of the vocabulary.
+pub fn library(graph: &Graph, names: Names, caller: &str) -> Result<Library, Diagnostic> {
     let mut emitted = emit(graph, Template::Library.parsed(), names)?;
     let tables = std::mem::take(&mut emitted.tables);
-    Ok(Library { tables, ..library_of(&emitted)? })
+    Ok(Library { tables, ..library_of(&emitted, caller)? })
 }
 
-fn library_of(emitted: &Emitted) -> Result<Library, Diagnostic> {
+fn library_of(emitted: &Emitted, caller: &str) -> Result<Library, Diagnostic> {
     let functions = own_text(emitted)?;
-    let called = called(emitted, &functions);
+    let called = called(emitted, &functions, caller);
     let vocabulary = called.iter().map(|declaration| format!("{}\n", declaration.text)).collect();
     let spans =
         functions.lines().enumerate().filter_map(|(line, text)| Some((line, *emitted.names.get(named(text)?)?)));
@@ -87,14 +87,14 @@ struct Declaration {
     text: &'static str,
 }
 
-/// The declarations of the vocabulary and of `scene.wgsl` that the scene reaches, in their order.
-fn called(emitted: &Emitted, own: &str) -> Vec<Declaration> {
+/// The declarations of the vocabulary and of `scene.wgsl` that the scene and a pass below it reach, in their order.
+fn called(emitted: &Emitted, own: &str, pass: &str) -> Vec<Declaration> {
     let own_functions: FxHashSet<Handle<Function>> = emitted.functions.iter().map(|own| own.handle).collect();
     let functions: FxHashSet<&str> = (emitted.module.functions.iter())
         .filter(|(handle, _)| !own_functions.contains(handle))
         .filter_map(|(_, function)| function.name.as_deref())
         .collect();
-    let mut mentioned: FxHashSet<&str> = words(own).collect();
+    let mut mentioned: FxHashSet<&str> = words(own).chain(words(pass)).collect();
     let mut called = Vec::new();
     // Constants and types stand above those who mention them.
     let all: Vec<Declaration> = declarations(chiaro_vocabulary::source()).chain(declarations(SCENE)).collect();
