@@ -304,10 +304,14 @@ fn in_order_of_use<'u>(wgsl: &str, unit: &'u TranslationUnit) -> Vec<&'u GlobalD
             }
             stack.push((place, true));
             let text = &wgsl[unit.global_declarations[place].span().range()];
-            let mut mentioned: Vec<usize> = super::reach::words(text)
-                .filter_map(|word| place_of.get(word).copied())
-                .filter(|p| !state[*p])
-                .collect();
+            // A member or a variable may have the name of a function: only calls count.
+            let is_function = |place: usize| matches!(unit.global_declarations[place].node(), GlobalDeclaration::Function(_));
+            let mention = |(word, is_called): (&str, bool)| {
+                let place = *place_of.get(word)?;
+                (!state[place] && (is_called || !is_function(place))).then_some(place)
+            };
+            let mentioned = super::reach::words(text).filter_map(mention);
+            let mut mentioned: Vec<usize> = mentioned.collect();
             mentioned.sort_unstable();
             mentioned.dedup();
             stack.extend(mentioned.into_iter().rev().map(|place| (place, false)));

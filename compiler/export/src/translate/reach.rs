@@ -12,7 +12,7 @@ pub(super) fn readers(wgsl: &str, unit: &TranslationUnit) -> FxHashSet<String> {
         .filter_map(|declaration| match declaration.node() {
             GlobalDeclaration::Function(function) => {
                 let text = &wgsl[declaration.span().range()];
-                Some((function.ident.name().clone(), words(text).collect()))
+                Some((function.ident.name().clone(), words(text).map(|(word, _)| word).collect()))
             }
             _ => None,
         })
@@ -31,8 +31,20 @@ pub(super) fn readers(wgsl: &str, unit: &TranslationUnit) -> FxHashSet<String> {
     }
 }
 
-/// The identifiers of a text that are not in its comments.
-pub(super) fn words(text: &str) -> impl Iterator<Item = &str> {
+/// The identifiers of a text that are not in its comments, and whether an opening parenthesis stands behind.
+pub(super) fn words(text: &str) -> impl Iterator<Item = (&str, bool)> {
     let code = text.lines().map(|line| line.split_once("//").map_or(line, |(code, _)| code));
-    code.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_')).filter(|word| !word.is_empty())
+    code.flat_map(words_of_line)
+}
+
+fn words_of_line(line: &str) -> impl Iterator<Item = (&str, bool)> {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let mut rest = line;
+    std::iter::from_fn(move || {
+        let start = rest.find(is_part)?;
+        let end = rest[start..].find(|c| !is_part(c)).map_or(rest.len(), |length| start + length);
+        let (word, behind) = (&rest[start..end], &rest[end..]);
+        rest = behind;
+        Some((word, behind.starts_with('(')))
+    })
 }

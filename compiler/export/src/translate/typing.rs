@@ -29,6 +29,12 @@ impl Typing {
     pub(crate) fn new(unit: &TranslationUnit) -> Result<Self, TranslationError> {
         let mut typing =
             Self { functions: FxHashMap::default(), structs: FxHashMap::default(), scopes: vec![FxHashMap::default()] };
+        // A struct may be mentioned above its declaration.
+        for declaration in &unit.global_declarations {
+            if let GlobalDeclaration::Struct(declared) = declaration.node() {
+                typing.structs.insert(declared.ident.name().clone(), Vec::new());
+            }
+        }
         for declaration in &unit.global_declarations {
             match declaration.node() {
                 GlobalDeclaration::Struct(declared) => typing.declare_struct(declared)?,
