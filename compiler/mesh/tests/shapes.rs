@@ -163,7 +163,8 @@ fn joints_blend_colours() {
 #[test]
 fn what_has_no_mesh_says_why() {
     assert_eq!(attempt("group();", &at(20)).unwrap_err(), Error::Empty);
-    assert_eq!(attempt("half_space();", &at(20)).unwrap_err(), Error::Unbounded { axes: "x, y, z".to_owned() });
+    assert_eq!(attempt("half_space(normal = [0, 0, 1]);", &at(20)).unwrap_err(), Error::Unbounded { axes: "x, y, z".to_owned() });
+    assert!(matches!(attempt("gyroid(period = 5, thickness = 1);", &at(20)), Err(Error::Unbounded { .. })));
     assert!(matches!(attempt("sphere(10);", &at(100_000)), Err(Error::TooFine { .. })));
     assert!(matches!(attempt("cube([100, 100, 0.1]);", &at(10)), Err(Error::NothingFound { .. })));
 }
