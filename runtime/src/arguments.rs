@@ -50,6 +50,8 @@ pub(crate) enum Command {
     Watch(Watch),
     /// Draw a scene into a picture.
     Render(Render),
+    /// Write a scene as a triangle mesh for other programs.
+    Export(Export),
     /// Compile a scene and report what is wrong with it.
     Check(Check),
     /// Format scenes: their indentation and spaces, and nothing else.
@@ -164,6 +166,52 @@ pub(crate) struct Render {
 
     #[command(flatten)]
     pub(crate) adapter: AdapterArguments,
+}
+
+/// Arguments of `export`.
+#[derive(Debug, Args)]
+pub(crate) struct Export {
+    #[command(flatten)]
+    pub(crate) scene: SceneArguments,
+
+    /// The file. Its ending says the format, if --to does not.
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: PathBuf,
+
+    /// What to write.
+    #[arg(long, value_name = "TARGET")]
+    pub(crate) to: Option<Target>,
+
+    /// Write over files that are there already.
+    #[arg(long)]
+    pub(crate) force: bool,
+
+    /// How far a mesh may be off the surface, in millimetres; a two-thousandth of the scene's diagonal by default.
+    #[arg(long, value_name = "MM", value_parser = positive)]
+    pub(crate) tolerance: Option<f64>,
+
+    /// Into how many cells the longest side is divided to look for the surface: what is thinner than a cell may be missed.
+    /// Chosen by the tolerance if nothing is said.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
+    pub(crate) resolution: Option<u32>,
+}
+
+/// What `export` can write.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Target {
+    /// Triangles without materials, binary.
+    Stl,
+    /// A mesh with its materials in an .mtl file beside it.
+    Obj,
+    /// A mesh with vertex colours, binary.
+    Ply,
+    /// A mesh with colours, for printing.
+    #[value(name = "3mf")]
+    ThreeMf,
+    /// A mesh with materials for physically based shading; its data in a .bin file beside it.
+    Gltf,
+    /// The same in one file.
+    Glb,
 }
 
 /// Which graphics adapter to use.

@@ -5,6 +5,7 @@
 //! * [`lower_with_lineage()`] keeps, beside the graph, what each solid came to: for editors, which go from a surface back
 //!   to the text.
 //! * [`Evaluator`] answers distances and gradients; [`Graph::bounds_at`] boxes at certain values of live numbers.
+//! * [`Painter`] answers how the surface looks; [`paints`] tells who painted what.
 //! * [`print()`] shows a graph as text.
 //!
 //! Inside, `build` keeps graphs free of duplicates, `extent` measures where nodes are, `walk` visits what they refer
@@ -20,6 +21,8 @@ mod hull;
 pub mod lineage;
 mod lower;
 mod matrix;
+mod painter;
+pub mod paints;
 mod print;
 mod walk;
 
@@ -29,4 +32,5 @@ pub use facts::Facts;
 pub use graph::{Graph, MaterialId, Node, NodeId, Operation, Point, PointId};
 pub use lineage::{Lineage, Step, StepId};
 pub use lower::{lower, lower_with_lineage};
+pub use painter::{Look, Painter, linear_from_srgb};
 pub use print::print;

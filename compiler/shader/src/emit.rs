@@ -8,13 +8,13 @@
 mod blend;
 mod guards;
 mod numbers;
-mod paints;
 mod parts;
 mod pieces;
 mod points;
 mod shapes;
 mod surface;
 
+use chiaro_field::paints::Paints;
 use chiaro_field::{Graph, NodeId, PointId};
 use chiaro_solid::Scalar;
 use chiaro_syntax::{Diagnostic, Span};
@@ -101,7 +101,7 @@ struct Emission<'g> {
     point_names: FxHashMap<PointId, String>,
     numbers: numbers::Numbers<'g>,
     parts: parts::Parts,
-    paints: paints::Paints,
+    paints: Paints,
     tables: TablesBuilder,
     tables_variable: Option<Handle<GlobalVariable>>,
     /// The functions of outlines and polytopes.
@@ -129,7 +129,7 @@ impl<'g> Emission<'g> {
             point_names: FxHashMap::default(),
             numbers: numbers::Numbers::new(graph),
             parts: parts::Parts::new(graph),
-            paints: paints::Paints::new(graph),
+            paints: Paints::new(graph),
             tables: TablesBuilder::default(),
             tables_variable: None,
             pieces: FxHashMap::default(),

@@ -4,21 +4,36 @@ use std::io::Write;
 use std::path::Path;
 
 use anyhow::{Context, Result};
+use tempfile::NamedTempFile;
 
 /// Writes `bytes` to `path`: into a temporary file beside it, which then takes its place.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+    write_all(&[(path, bytes)])
+}
+
+/// Writes files that belong together: none takes its place before all are written.
+pub fn write_all(files: &[(&Path, &[u8])]) -> Result<()> {
+    let staged = files.iter().map(|(path, bytes)| Ok((*path, stage(path, bytes).with_context(|| failure(path))?)));
+    for (path, file) in staged.collect::<Result<Vec<_>>>()? {
+        file.persist(path).map_err(|error| error.error).with_context(|| failure(path))?;
+    }
+    Ok(())
+}
+
+fn failure(path: &Path) -> String {
+    format!("cannot write {}", path.display())
+}
+
+/// The temporary file that is to become the one at `path`.
+fn stage(path: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    let attempt = || -> std::io::Result<()> {
-        let mut file = tempfile::NamedTempFile::new_in(folder)?;
-        file.write_all(bytes)?;
-        make_readable(file.path(), path)?;
-        file.persist(path).map_err(|error| error.error)?;
-        Ok(())
-    };
-    attempt().with_context(|| format!("cannot write {}", path.display()))
+    let mut file = NamedTempFile::new_in(folder)?;
+    file.write_all(bytes)?;
+    make_readable(file.path(), path)?;
+    Ok(file)
 }
 
 /// Temporary files are private; what takes the place of a file may be read by the same people, and what is new by all.

@@ -7,6 +7,7 @@ pub(crate) mod distance;
 pub(crate) mod dump;
 #[cfg(feature = "editor")]
 pub(crate) mod edit;
+pub(crate) mod export;
 pub(crate) mod fmt;
 pub(crate) mod render;
 #[cfg(feature = "editor")]
