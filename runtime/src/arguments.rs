@@ -50,7 +50,7 @@ pub(crate) enum Command {
     Watch(Watch),
     /// Draw a scene into a picture.
     Render(Render),
-    /// Write a scene as a triangle mesh for other programs.
+    /// Write a scene for other programs: as shader code, as an engine's files, or as a triangle mesh.
     Export(Export),
     /// Compile a scene and report what is wrong with it.
     Check(Check),
@@ -174,13 +174,17 @@ pub(crate) struct Export {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
 
-    /// The file. Its ending says the format, if --to does not.
+    /// The file, or the folder of targets that are several files. Its ending says the format, if --to does not.
     #[arg(long, short, value_name = "FILE")]
     pub(crate) output: PathBuf,
 
     /// What to write.
     #[arg(long, value_name = "TARGET")]
     pub(crate) to: Option<Target>,
+
+    /// Of shading languages, write a whole program that draws the scene, in the place of functions to call.
+    #[arg(long)]
+    pub(crate) program: bool,
 
     /// Write over files that are there already.
     #[arg(long)]
@@ -194,6 +198,9 @@ pub(crate) struct Export {
     /// Chosen by the tolerance if nothing is said.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     pub(crate) resolution: Option<u32>,
+
+    #[command(flatten)]
+    pub(crate) adapter: AdapterArguments,
 }
 
 /// What `export` can write.
@@ -212,6 +219,36 @@ pub(crate) enum Target {
     Gltf,
     /// The same in one file.
     Glb,
+    /// Functions in WGSL; with --program a vertex and a fragment shader.
+    Wgsl,
+    /// Functions in GLSL 330; with --program a fragment shader.
+    #[value(name = "glsl-330", alias = "glsl")]
+    Glsl330,
+    /// The same in GLSL 450.
+    #[value(name = "glsl-450")]
+    Glsl450,
+    /// The same in GLSL ES 300, for WebGL 2 and phones.
+    #[value(name = "glsl-es-300")]
+    GlslEs300,
+    /// Functions in HLSL, shader model 5 and later; with --program a vertex and a pixel shader.
+    Hlsl,
+    /// Functions in the Metal shading language; with --program a vertex and a fragment function.
+    #[value(alias = "metal")]
+    Msl,
+    /// A vertex and a fragment shader in SPIR-V.
+    #[value(name = "spirv", alias = "spir-v")]
+    SpirV,
+    /// The Image pass of a shader on shadertoy.com.
+    Shadertoy,
+    /// A fragment shader for glslViewer.
+    #[value(name = "glslviewer")]
+    GlslViewer,
+    /// A page that draws the scene with WebGL 2.
+    #[value(name = "webgl", alias = "html")]
+    WebGl,
+    /// A page that draws the scene with WebGPU.
+    #[value(name = "webgpu")]
+    WebGpu,
 }
 
 /// Which graphics adapter to use.

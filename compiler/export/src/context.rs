@@ -2,6 +2,7 @@
 
 use chiaro_syntax::Diagnostic;
 use minijinja::syntax::SyntaxConfig;
+use minijinja::value::Serde;
 use minijinja::{Environment, UndefinedBehavior, Value};
 use serde::Serialize;
 
@@ -85,12 +86,12 @@ impl<'a> Context<'a> {
         let mut environment = Environment::new();
         environment.set_undefined_behavior(UndefinedBehavior::Strict);
         // Lines of instructions leave nothing behind.
-        environment.set_syntax(
-            SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).keep_trailing_newline(true).build_unchecked(),
-        );
+        let failed = |error: minijinja::Error| {
+            Diagnostic::error(None, format!("a text of this export can't be made: {error:#}"))
+        };
+        let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).keep_trailing_newline(true).build();
+        environment.set_syntax(syntax.map_err(failed)?);
         environment.add_filter("float", |value: f64| crate::parameters::number(value));
-        environment
-            .render_str(template, Value::from_serialize(self))
-            .map_err(|error| Diagnostic::error(None, format!("a text of this export can't be made: {error:#}")))
+        environment.render_str(template, Value::from(Serde(self))).map_err(failed)
     }
 }

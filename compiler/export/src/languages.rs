@@ -62,7 +62,9 @@ fn filled(scene: &Scene, text: &Text, language: Language, template: &str) -> Res
 fn code(text: &Text, language: Language) -> Result<String, Diagnostic> {
     match language {
         Language::Wgsl | Language::SpirV => Ok(text.wgsl(0)),
-        Language::Glsl330 | Language::Glsl450 | Language::GlslEs300 => translated(text, Dialect::Glsl, &|name| name.into()),
+        Language::Glsl330 | Language::Glsl450 | Language::GlslEs300 => {
+            translated(text, Dialect::Glsl, &|name| name.into())
+        }
         Language::Hlsl => translated(text, Dialect::Hlsl, &|name| name.into()),
         Language::Metal => translation(text, Dialect::Metal, Parameters::Passed),
     }

@@ -69,7 +69,8 @@ impl Vertex {
     /// Where planes meet, as near to the middle as may be.
     fn fit(&self, planes: &[(Vector, Vector)]) -> Vector {
         let corner = |reach: f64| sub(self.center.map(|coordinate| coordinate + reach), self.middle);
-        let way = Quadric::new(self.middle, planes.iter().copied()).least_within(corner(-self.reach), corner(self.reach));
+        let way =
+            Quadric::new(self.middle, planes.iter().copied()).least_within(corner(-self.reach), corner(self.reach));
         add(self.middle, way)
     }
 
@@ -153,7 +154,9 @@ fn refine(lattice: &Lattice, vertices: &mut [Vertex], sampler: &mut Sampler) -> 
 /// Where no corner was found on the surface after all, the middle of the crossings will do if it is nearer.
 fn fall_back(lattice: &Lattice, vertices: &mut [Vertex], sampler: &mut Sampler) -> Result<(), Error> {
     const FAR: f64 = 0.05;
-    let moved: Vec<u32> = (0..vertices.len() as u32).filter(|number| vertices[*number as usize].point != vertices[*number as usize].middle).collect();
+    let moved: Vec<u32> = (0..vertices.len() as u32)
+        .filter(|number| vertices[*number as usize].point != vertices[*number as usize].middle)
+        .collect();
     let values = sampler.distances(Stage::Placing, &moved, |number| vertices[*number as usize].point)?;
     let far: Vec<(u32, f64)> =
         moved.into_iter().zip(values).filter(|(_, value)| value.abs() > FAR * lattice.step).collect();

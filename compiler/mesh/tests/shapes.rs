@@ -93,9 +93,11 @@ fn a_hole_has_sharp_rims() {
     let text = "difference() { cube([20, 20, 10]); translate([10, 10, -1]) cylinder(h = 12, r = 5); }";
     let model = mesh_of(text, &at(80));
     assert_volume(&model, 4000.0 - PI * 250.0, 2e-4);
-    let on_rim = model.mesh.vertices.iter().filter(|[x, y, z]| {
-        (z - 10.0).abs() < 1e-3 && ((x - 10.0).hypot(y - 10.0) - 5.0).abs() < 1e-3
-    });
+    let on_rim = model
+        .mesh
+        .vertices
+        .iter()
+        .filter(|[x, y, z]| (z - 10.0).abs() < 1e-3 && ((x - 10.0).hypot(y - 10.0) - 5.0).abs() < 1e-3);
     assert!(on_rim.count() > 20);
 }
 
@@ -136,10 +138,8 @@ fn awkward_solids_are_manifold() {
 
 #[test]
 fn materials_go_with_their_parts() {
-    let model = mesh_of(
-        "color([1, 0, 0], metallic = 1) cube(10); color([0, 0, 1]) translate([20, 0, 0]) sphere(5);",
-        &at(60),
-    );
+    let model =
+        mesh_of("color([1, 0, 0], metallic = 1) cube(10); color([0, 0, 1]) translate([20, 0, 0]) sphere(5);", &at(60));
     assert!(!model.is_blended());
     for (triangle, material) in model.painted.iter().enumerate() {
         let red = model.mesh.corners(triangle)[0][0] < 12.0;
@@ -163,7 +163,10 @@ fn joints_blend_colours() {
 #[test]
 fn what_has_no_mesh_says_why() {
     assert_eq!(attempt("group();", &at(20)).unwrap_err(), Error::Empty);
-    assert_eq!(attempt("half_space(normal = [0, 0, 1]);", &at(20)).unwrap_err(), Error::Unbounded { axes: "x, y, z".to_owned() });
+    assert_eq!(
+        attempt("half_space(normal = [0, 0, 1]);", &at(20)).unwrap_err(),
+        Error::Unbounded { axes: "x, y, z".to_owned() }
+    );
     assert!(matches!(attempt("gyroid(period = 5, thickness = 1);", &at(20)), Err(Error::Unbounded { .. })));
     assert!(matches!(attempt("sphere(10);", &at(100_000)), Err(Error::TooFine { .. })));
     assert!(matches!(attempt("cube([100, 100, 0.1]);", &at(10)), Err(Error::NothingFound { .. })));

@@ -9,5 +9,5 @@ pub mod images;
 mod whole;
 mod world;
 
-pub use whole::{write, write_all};
+pub use whole::{write, write_all, write_folder};
 pub use world::FileWorld;

@@ -20,6 +20,27 @@ pub fn write_all(files: &[(&Path, &[u8])]) -> Result<()> {
     Ok(())
 }
 
+/// Writes files that are all in one folder. Where there is no folder yet, it appears with all of them in it.
+pub fn write_folder(folder: &Path, files: &[(&Path, &[u8])]) -> Result<()> {
+    let create = |folder: &Path| std::fs::create_dir_all(folder).with_context(|| failure(folder));
+    if folder.exists() {
+        files.iter().filter_map(|(path, _)| path.parent()).try_for_each(create)?;
+        return write_all(files);
+    }
+    let around = match folder.parent() {
+        Some(around) if !around.as_os_str().is_empty() => around,
+        _ => Path::new("."),
+    };
+    let staged = tempfile::Builder::new().prefix(".chiaro-").tempdir_in(around).with_context(|| failure(folder))?;
+    for (path, bytes) in files {
+        let path = staged.path().join(path.strip_prefix(folder).unwrap_or(path));
+        path.parent().map_or(Ok(()), create)?;
+        write(&path, bytes)?;
+    }
+    make_folder_readable(staged.path()).with_context(|| failure(folder))?;
+    std::fs::rename(staged.keep(), folder).with_context(|| failure(folder))
+}
+
 fn failure(path: &Path) -> String {
     format!("cannot write {}", path.display())
 }
@@ -42,6 +63,17 @@ fn make_readable(temporary: &Path, path: &Path) -> std::io::Result<()> {
     use std::os::unix::fs::PermissionsExt;
     let before = std::fs::metadata(path).map(|metadata| metadata.permissions());
     std::fs::set_permissions(temporary, before.unwrap_or_else(|_| std::fs::Permissions::from_mode(0o644)))
+}
+
+#[cfg(unix)]
+fn make_folder_readable(folder: &Path) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    std::fs::set_permissions(folder, std::fs::Permissions::from_mode(0o755))
+}
+
+#[cfg(not(unix))]
+fn make_folder_readable(_: &Path) -> std::io::Result<()> {
+    Ok(())
 }
 
 #[cfg(not(unix))]

@@ -305,7 +305,8 @@ fn in_order_of_use<'u>(wgsl: &str, unit: &'u TranslationUnit) -> Vec<&'u GlobalD
             stack.push((place, true));
             let text = &wgsl[unit.global_declarations[place].span().range()];
             // A member or a variable may have the name of a function: only calls count.
-            let is_function = |place: usize| matches!(unit.global_declarations[place].node(), GlobalDeclaration::Function(_));
+            let is_function =
+                |place: usize| matches!(unit.global_declarations[place].node(), GlobalDeclaration::Function(_));
             let mention = |(word, is_called): (&str, bool)| {
                 let place = *place_of.get(word)?;
                 (!state[place] && (is_called || !is_function(place))).then_some(place)

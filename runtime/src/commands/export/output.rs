@@ -19,18 +19,23 @@ impl File {
 
 /// Refuses to write where something is, unless forced.
 pub(super) fn refuse(path: &Path, force: bool) -> Result<()> {
-    if path.is_dir() {
-        bail!("cannot write {}: it is a folder", path.display());
-    }
     if !force && path.exists() {
         bail!("{} is there already; --force writes over it", path.display());
     }
     Ok(())
 }
 
-/// Writes all files, or none if something is where one shall be.
-pub(super) fn write(files: &[File], force: bool) -> Result<()> {
-    files.iter().try_for_each(|file| refuse(&file.path, force))?;
+/// Writes all files, or none if something is where `output` is to be: a file, or the folder that all files are in.
+pub(super) fn write(files: &[File], output: &Path, force: bool) -> Result<()> {
     let named: Vec<(&Path, &[u8])> = files.iter().map(|file| (&*file.path, &*file.bytes)).collect();
+    let is_folder = files.iter().all(|file| file.path != output && file.path.starts_with(output));
+    if is_folder {
+        refuse(output, force)?;
+        return files::write_folder(output, &named);
+    }
+    files.iter().try_for_each(|file| refuse(&file.path, force))?;
+    if let Some(folder) = files.iter().find(|file| file.path.is_dir()) {
+        bail!("cannot write {}: it is a folder", folder.path.display());
+    }
     files::write_all(&named)
 }
