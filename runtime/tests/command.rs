@@ -401,7 +401,8 @@ fn export_writes_every_mesh_format() {
 #[test]
 fn export_writes_over_files_only_when_forced() {
     let folder = Folder::new().with("a.csg", "sphere(5);").with("a.mtl", "precious");
-    let export = |extra: &[&str]| folder.run(&[&["export", "a.csg", "-o", "a.obj", "--resolution", "16"], extra].concat());
+    let export =
+        |extra: &[&str]| folder.run(&[&["export", "a.csg", "-o", "a.obj", "--resolution", "16"], extra].concat());
     let output = export(&[]);
     assert!(!output.status.success() && stderr(&output).contains("--force"), "{}", stderr(&output));
     assert!(!folder.path("a.obj").exists());

@@ -26,8 +26,12 @@ pub(crate) fn contour(lattice: &Lattice, sampler: &mut Sampler) -> Result<Option
     let crossings = crossings(lattice, &cells, sampler)?;
     let sheets = Sheets::new(&cells, &crossings);
     let vertices = place(lattice, &cells, &crossings, &sheets, sampler)?;
-    let quads: Vec<Quad> =
-        sheets.around().iter().zip(&crossings).map(|(corners, crossing)| Quad::new(*corners, crossing, &vertices)).collect();
+    let quads: Vec<Quad> = sheets
+        .around()
+        .iter()
+        .zip(&crossings)
+        .map(|(corners, crossing)| Quad::new(*corners, crossing, &vertices))
+        .collect();
     let triangles = triangles(lattice, &quads, &vertices, sampler)?;
     let facing = crossings.iter().flat_map(|crossing| [crossing.normal; 2]).collect();
     Ok(Some(Contour { mesh: Mesh { vertices, triangles }, facing, misses_parts: cells.misses_parts }))
@@ -100,9 +104,8 @@ fn triangles(
         .collect();
     let middles: Vec<Vector> = bent.iter().flat_map(|number| quads[*number].middles).collect();
     let values = sampler.distances(Stage::Placing, &middles, |middle| *middle)?;
-    let mut diagonals: Vec<Diagonal> = (quads.iter())
-        .map(|quad| quad.better.unwrap_or_else(|| shorter(quad, vertices)))
-        .collect();
+    let mut diagonals: Vec<Diagonal> =
+        (quads.iter()).map(|quad| quad.better.unwrap_or_else(|| shorter(quad, vertices))).collect();
     for (number, values) in bent.iter().zip(values.chunks_exact(2)) {
         let nearer = values[0].abs() <= values[1].abs();
         diagonals[*number] = if nearer { Diagonal::First } else { Diagonal::Second };

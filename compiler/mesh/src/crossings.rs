@@ -137,9 +137,8 @@ fn normals(lattice: &Lattice, crossings: &[Crossing], sampler: &mut Sampler) -> 
         })
         .collect();
     let reach = 1e-3 * lattice.step;
-    let values = sampler.distances(Stage::Crossing, &around, |(number, side)| {
-        add(crossings[*number].point, scale(*side, reach))
-    })?;
+    let values = sampler
+        .distances(Stage::Crossing, &around, |(number, side)| add(crossings[*number].point, scale(*side, reach)))?;
     for (number, values) in vague.iter().zip(values.chunks_exact(6)) {
         normals[*number] = unit(sub([values[0], values[2], values[4]], [values[1], values[3], values[5]]));
     }

