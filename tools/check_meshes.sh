@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Exports every scene of examples_csg/ in every mesh format, and has other programs say what they think of it: trimesh loads
-# all files and OpenSCAD the STL. Prints the table of docs/meshes.md; with names of scenes as arguments, of those only.
+# all files and OpenSCAD the STL. Prints a table; with names of scenes as arguments, of those only.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

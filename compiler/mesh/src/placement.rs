@@ -28,6 +28,7 @@ pub(crate) fn place(
     sheets: &Sheets,
     sampler: &mut Sampler,
 ) -> Result<Vec<Vector>, Error> {
+    let room = Room { lattice, cells };
     let mut vertices: Vec<Vertex> = (0..sheets.count())
         .map(|sheet| {
             let planes = sheets.crossings(sheet).iter().map(|crossing| {
@@ -35,12 +36,38 @@ pub(crate) fn place(
                 (crossing.point, crossing.normal)
             });
             let center = lattice.center(cells.cells[sheets.cell(sheet) as usize].site);
-            Vertex::new(planes.collect(), center, (0.5 - MARGIN) * lattice.step)
+            Vertex::new(planes.collect(), center, &room)
         })
         .collect();
-    refine(lattice, &mut vertices, sampler)?;
+    refine(&room, &mut vertices, sampler)?;
     fall_back(lattice, &mut vertices, sampler)?;
     Ok(vertices.into_iter().map(|vertex| vertex.point).collect())
+}
+
+/// Where vertices may be: in their own cells and half a cell around, for ridges that pass close by; and where a tip or a
+/// ridge sticks out into a cell without a vertex, in all of that.
+struct Room<'a> {
+    lattice: &'a Lattice,
+    cells: &'a Cells,
+}
+
+impl Room<'_> {
+    /// How far a vertex may be from its cell's centre along each axis, to be in that cell.
+    fn own(&self) -> f64 {
+        (0.5 - MARGIN) * self.lattice.step
+    }
+
+    /// The same for the cells around.
+    fn around(&self) -> f64 {
+        (1.5 - MARGIN) * self.lattice.step
+    }
+
+    /// Whether the vertex of the cell with this centre may be at the point.
+    fn allows(&self, center: Vector, point: Vector) -> bool {
+        let farthest = sub(point, center).into_iter().fold(0.0, |farthest: f64, way| farthest.max(way.abs()));
+        let is_free = || self.lattice.cell(point).is_none_or(|site| self.cells.at(site).is_none());
+        farthest <= 2.0 * self.own() || (farthest <= self.around() && is_free())
+    }
 }
 
 struct Vertex {
@@ -49,33 +76,34 @@ struct Vertex {
     /// Amid the crossings.
     middle: Vector,
     center: Vector,
-    /// How far from the centre it may be along each axis.
-    reach: f64,
     point: Vector,
     /// Whether the planes are those of an edge or a corner.
     sharp: bool,
 }
 
 impl Vertex {
-    fn new(planes: Vec<(Vector, Vector)>, center: Vector, reach: f64) -> Self {
+    fn new(planes: Vec<(Vector, Vector)>, center: Vector, room: &Room) -> Self {
         let middle = mean(planes.iter().map(|(point, _)| *point));
-        let mut vertex = Self { planes, middle, center, reach, point: middle, sharp: false };
-        vertex.middle = vertex.confined(middle);
-        vertex.sharp = is_sharp(&vertex.planes);
-        vertex.point = if vertex.sharp { vertex.fit(&vertex.planes) } else { vertex.middle };
+        let sharp = is_sharp(&planes);
+        let mut vertex = Self { planes, middle, center, point: middle, sharp };
+        vertex.middle = vertex.confined(middle, room.own());
+        vertex.point = if sharp { vertex.fit(&vertex.planes, room) } else { vertex.middle };
         vertex
     }
 
     /// Where planes meet, as near to the middle as may be.
-    fn fit(&self, planes: &[(Vector, Vector)]) -> Vector {
-        let corner = |reach: f64| sub(self.center.map(|coordinate| coordinate + reach), self.middle);
-        let way =
-            Quadric::new(self.middle, planes.iter().copied()).least_within(corner(-self.reach), corner(self.reach));
-        add(self.middle, way)
+    fn fit(&self, planes: &[(Vector, Vector)], room: &Room) -> Vector {
+        let quadric = Quadric::new(self.middle, planes.iter().copied());
+        let within = |reach: f64| {
+            let corner = |reach: f64| sub(self.center.map(|coordinate| coordinate + reach), self.middle);
+            add(self.middle, quadric.least_within(corner(-reach), corner(reach)))
+        };
+        let best = within(room.around());
+        if room.allows(self.center, best) { best } else { within(room.own()) }
     }
 
-    fn confined(&self, point: Vector) -> Vector {
-        std::array::from_fn(|axis| point[axis].clamp(self.center[axis] - self.reach, self.center[axis] + self.reach))
+    fn confined(&self, point: Vector, reach: f64) -> Vector {
+        std::array::from_fn(|axis| point[axis].clamp(self.center[axis] - reach, self.center[axis] + reach))
     }
 
     /// The points at which its neighbourhood is asked: its own, or a little towards each crossing, where the surfaces
@@ -91,14 +119,14 @@ impl Vertex {
     }
 
     /// Moves to where the planes that touch the surface near it meet.
-    fn learn(&mut self, tangents: &[(Vector, Vector)]) {
+    fn learn(&mut self, tangents: &[(Vector, Vector)], room: &Room) {
         let [(point, _), ..] = tangents else { return };
         match self.sharp {
             true => {
-                self.point = self.fit(tangents);
+                self.point = self.fit(tangents, room);
                 self.sharp = is_sharp(tangents);
             }
-            false => self.point = self.confined(*point),
+            false => self.point = self.confined(*point, room.own()),
         }
     }
 
@@ -113,9 +141,10 @@ fn is_sharp(planes: &[(Vector, Vector)]) -> bool {
 }
 
 /// Moves vertices onto the surface, or to where several surfaces meet, by Newton's method.
-fn refine(lattice: &Lattice, vertices: &mut [Vertex], sampler: &mut Sampler) -> Result<(), Error> {
+fn refine(room: &Room, vertices: &mut [Vertex], sampler: &mut Sampler) -> Result<(), Error> {
     const ROUNDS: usize = 3;
-    let close = CLOSE * lattice.step;
+    let step = room.lattice.step;
+    let close = CLOSE * step;
     let mut open: Vec<u32> = (0..vertices.len() as u32).collect();
     open.retain(|number| {
         let vertex = &vertices[*number as usize];
@@ -132,14 +161,14 @@ fn refine(lattice: &Lattice, vertices: &mut [Vertex], sampler: &mut Sampler) -> 
             // The plane that touches the surface, as far as value and slope tell.
             if let Some(normal) = unit(dual.gradient) {
                 let way = -dual.value / length(dual.gradient);
-                if way.abs() < lattice.step {
+                if way.abs() < step {
                     tangents.push((add(*probe, scale(normal, way)), normal));
                 }
             }
             if probes.get(index + 1).is_none_or(|(other, _)| other != number) {
                 let vertex = &mut vertices[*number as usize];
                 let before = vertex.point;
-                vertex.learn(&tangents);
+                vertex.learn(&tangents, room);
                 tangents.clear();
                 if length(sub(vertex.point, before)) > close {
                     next.push(*number);

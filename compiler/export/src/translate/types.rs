@@ -50,8 +50,6 @@ impl Scalar {
 impl Type {
     pub(crate) const BOOL: Type = Type::Scalar(Scalar::Bool);
     pub(crate) const F32: Type = Type::Scalar(Scalar::F32);
-    pub(crate) const I32: Type = Type::Scalar(Scalar::I32);
-    pub(crate) const U32: Type = Type::Scalar(Scalar::U32);
 
     /// The number of components of a scalar or a vector.
     pub(crate) fn width(&self) -> usize {

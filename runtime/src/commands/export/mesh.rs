@@ -11,17 +11,28 @@ use indicatif::ProgressBar;
 
 use super::output::File;
 use super::parallel::Parallel;
-use crate::arguments::{Export, Global, Target};
+use crate::arguments::{Export, Global};
 use crate::terminal;
 
+/// The file formats of meshes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Format {
+    Stl,
+    Obj,
+    Ply,
+    ThreeMf,
+    Gltf,
+    Glb,
+}
+
 /// The files of a scene's mesh.
-pub(super) fn files(scene: &Scene, target: Target, arguments: &Export, global: &Global) -> Result<Vec<File>> {
+pub(super) fn files(scene: &Scene, format: Format, arguments: &Export, global: &Global) -> Result<Vec<File>> {
     if scene.dimension() == Some(Dimension::Plane) {
         bail!("the scene is plane, and a mesh is of solids: put linear_extrude(height = …) around it");
     }
     let model = make(scene, arguments, global)?;
     say(&model, &arguments.output, global);
-    Ok(encoded(&model, target, &arguments.output))
+    Ok(encoded(&model, format, &arguments.output))
 }
 
 fn make(scene: &Scene, arguments: &Export, global: &Global) -> Result<Model> {
@@ -76,20 +87,20 @@ fn say(model: &Model, output: &Path, global: &Global) {
     }
 }
 
-fn encoded(model: &Model, target: Target, path: &Path) -> Vec<File> {
+fn encoded(model: &Model, format: Format, path: &Path) -> Vec<File> {
     let beside = |ending: &str| path.with_extension(ending);
     let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    match target {
-        Target::Stl => vec![File::new(path, write::stl(&model.mesh))],
-        Target::Ply => vec![File::new(path, write::ply(model))],
-        Target::ThreeMf => vec![File::new(path, write::threemf(model))],
-        Target::Glb => vec![File::new(path, write::glb(model))],
-        Target::Obj => {
+    match format {
+        Format::Stl => vec![File::new(path, write::stl(&model.mesh))],
+        Format::Ply => vec![File::new(path, write::ply(model))],
+        Format::ThreeMf => vec![File::new(path, write::threemf(model))],
+        Format::Glb => vec![File::new(path, write::glb(model))],
+        Format::Obj => {
             let materials = beside("mtl");
             let text = write::obj(model, &name(&materials));
             vec![File::new(materials, write::mtl(model)), File::new(path, text)]
         }
-        Target::Gltf => {
+        Format::Gltf => {
             let data = beside("bin");
             let (document, bytes) = write::gltf(model, &name(&data));
             vec![File::new(data, bytes), File::new(path, document)]

@@ -37,30 +37,43 @@ fn files(
     arguments: &Export,
     global: &Global,
 ) -> Result<Vec<File>> {
-    match shader_target(target, arguments.program) {
-        Some(target) => shader::files(compilation, scene, target, arguments),
-        None if arguments.program => bail!("--program is for shading languages, such as --to glsl-330"),
-        None => mesh::files(scene, target, arguments, global),
+    match kind(target, arguments.program) {
+        Kind::Shader(target) => shader::files(compilation, scene, target, arguments),
+        Kind::Mesh(_) if arguments.program => bail!("--program is for shading languages, such as --to glsl-330"),
+        Kind::Mesh(format) => mesh::files(scene, format, arguments, global),
     }
 }
 
-/// What the compiler calls a target, if it isn't a mesh.
-fn shader_target(target: Target, program: bool) -> Option<export::Target> {
-    let language = match target {
-        Target::Stl | Target::Obj | Target::Ply | Target::ThreeMf | Target::Gltf | Target::Glb => return None,
-        Target::Wgsl => Language::Wgsl,
-        Target::Glsl330 => Language::Glsl330,
-        Target::Glsl450 => Language::Glsl450,
-        Target::GlslEs300 => Language::GlslEs300,
-        Target::Hlsl => Language::Hlsl,
-        Target::Msl => Language::Metal,
-        Target::SpirV => return Some(export::Target::Program(Language::SpirV)),
-        Target::Shadertoy => return Some(export::Target::Package(Package::Shadertoy)),
-        Target::GlslViewer => return Some(export::Target::Package(Package::GlslViewer)),
-        Target::WebGl => return Some(export::Target::Package(Package::WebGl)),
-        Target::WebGpu => return Some(export::Target::Package(Package::WebGpu)),
+/// What a target is made by.
+enum Kind {
+    Mesh(mesh::Format),
+    Shader(export::Target),
+}
+
+fn kind(target: Target, program: bool) -> Kind {
+    let language = |language: Language| {
+        Kind::Shader(if program { export::Target::Program(language) } else { export::Target::Library(language) })
     };
-    Some(if program { export::Target::Program(language) } else { export::Target::Library(language) })
+    let package = |package: Package| Kind::Shader(export::Target::Package(package));
+    match target {
+        Target::Stl => Kind::Mesh(mesh::Format::Stl),
+        Target::Obj => Kind::Mesh(mesh::Format::Obj),
+        Target::Ply => Kind::Mesh(mesh::Format::Ply),
+        Target::ThreeMf => Kind::Mesh(mesh::Format::ThreeMf),
+        Target::Gltf => Kind::Mesh(mesh::Format::Gltf),
+        Target::Glb => Kind::Mesh(mesh::Format::Glb),
+        Target::Wgsl => language(Language::Wgsl),
+        Target::Glsl330 => language(Language::Glsl330),
+        Target::Glsl450 => language(Language::Glsl450),
+        Target::GlslEs300 => language(Language::GlslEs300),
+        Target::Hlsl => language(Language::Hlsl),
+        Target::Msl => language(Language::Metal),
+        Target::SpirV => Kind::Shader(export::Target::Program(Language::SpirV)),
+        Target::Shadertoy => package(Package::Shadertoy),
+        Target::GlslViewer => package(Package::GlslViewer),
+        Target::WebGl => package(Package::WebGl),
+        Target::WebGpu => package(Package::WebGpu),
+    }
 }
 
 /// What the command line asks for, else what the ending of the file's name stands for.
