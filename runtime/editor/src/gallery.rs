@@ -84,8 +84,7 @@ impl Example {
 
 /// Whether there is nothing else to show.
 pub(crate) fn is_wanted(editor: &Editor) -> bool {
-    let [only] = editor.session.documents() else { return false };
-    only.path.is_none() && only.text.is_empty() && !editor.gallery.is_left && !editor.only_picture
+    editor.session.is_blank() && !editor.gallery.is_left && !editor.only_picture
 }
 
 /// Shows the examples, to be opened by a click.

@@ -122,8 +122,8 @@ impl Session {
     /// Opens a text that has no file yet, and is called something like that until it has.
     pub(crate) fn open_text(&mut self, title: &str, text: String) {
         let (stem, ending) = title.rsplit_once('.').unwrap_or((title, "csg"));
-        let is_free =
-            |title: &String| self.documents.iter().all(|open| open.path.is_some() || open.working_title != *title);
+        let is_taken = |open: &Document, title: &String| open.path.is_none() && open.working_title == *title;
+        let is_free = |title: &String| self.is_blank() || !self.documents.iter().any(|open| is_taken(open, title));
         let numbered = (2..).map(|number| format!("{stem}_{number}.{ending}"));
         let mut titles = std::iter::once(title.to_owned()).chain(numbered);
         let mut document = Document::new(None, text);
@@ -147,12 +147,14 @@ impl Session {
         }
     }
 
+    /// Whether nothing is open but a text that nobody has begun.
+    pub(crate) fn is_blank(&self) -> bool {
+        matches!(&self.documents[..], [only] if only.path.is_none() && only.text.is_empty())
+    }
+
     /// Shows a text beside those that are open, or in the place of an empty one.
     fn add(&mut self, document: Document) {
-        if let [only] = &self.documents[..]
-            && only.path.is_none()
-            && only.text.is_empty()
-        {
+        if self.is_blank() {
             let id = document.id;
             (self.documents, self.active) = (vec![document], 0);
             return self.draw(id);

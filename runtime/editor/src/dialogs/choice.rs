@@ -60,12 +60,18 @@ impl Choice {
         context: &Context,
         ask: impl FnOnce(rfd::FileDialog) -> Vec<PathBuf> + Send + 'static,
     ) -> Self {
-        let job = Job::start(context, move |_| ask(rfd::FileDialog::new().set_title(title)));
-        let asking = match job {
-            Ok(job) => Asking::System(job, Instant::now()),
-            Err(_) => Asking::in_window(&before),
+        let start = || Job::start(context, move |_| ask(rfd::FileDialog::new().set_title(title))).ok();
+        let asking = match has_system_dialog().then(start).flatten() {
+            Some(job) => Asking::System(job, Instant::now()),
+            None => Asking::in_window(&before),
         };
         Self { title, before, asking }
+    }
+
+    /// Asks in the window.
+    #[cfg(test)]
+    pub(super) fn in_window(title: &'static str, before: &Path) -> Self {
+        Self { title, before: before.to_owned(), asking: Asking::in_window(before) }
     }
 
     /// Whether the window itself asks.
@@ -92,6 +98,22 @@ impl Asking {
     fn in_window(before: &Path) -> Self {
         Self::Window(before.display().to_string(), false)
     }
+}
+
+/// Whether the system may have a dialog. On Linux that is asked for over D-Bus, or else of `zenity`.
+fn has_system_dialog() -> bool {
+    if !cfg!(target_os = "linux") {
+        return true;
+    }
+    let has_bus = || {
+        std::env::var_os("XDG_RUNTIME_DIR").is_some_and(|folder| Path::new(&folder).join("bus").exists())
+            || std::env::var_os("DBUS_SESSION_BUS_ADDRESS").is_some()
+    };
+    let has_zenity = || {
+        let path = std::env::var_os("PATH").unwrap_or_default();
+        std::env::split_paths(&path).any(|folder| folder.join("zenity").exists())
+    };
+    has_bus() || has_zenity()
 }
 
 /// Asks for a path in a field of the window.

@@ -72,6 +72,15 @@ impl Editor {
     }
 }
 
+#[cfg(test)]
+impl Files {
+    /// Saves a text as if the system had no dialog to ask for its file.
+    pub(crate) fn save_in_window(&mut self, id: DocumentId, path: &std::path::Path) {
+        let named = Some((id, Choice::in_window("Save as", path)));
+        self.saving = Some(Saving { waiting: VecDeque::new(), named, then: Then::Stay });
+    }
+}
+
 fn named(document: &Document, context: &Context) -> Choice {
     Choice::to_save("Save as", &document.path.clone().unwrap_or_else(|| document.title().into()), context)
 }

@@ -260,7 +260,8 @@ impl Easel {
         }
         self.last_shown = Some(Instant::now());
         let (revision, timings, eye) = (subject.revision, *timings, self.wanted.eye);
-        Ok(Frame { revision, size, rgba, other, legend, mask, eye, view, samples, timings })
+        let scene = subject.scene.clone();
+        Ok(Frame { revision, scene, size, rgba, other, legend, mask, eye, view, samples, timings })
     }
 }
 

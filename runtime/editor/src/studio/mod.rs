@@ -75,6 +75,8 @@ pub(crate) struct Order {
 #[derive(Debug)]
 pub(crate) struct Frame {
     pub(crate) revision: u64,
+    /// What is seen.
+    pub(crate) scene: Arc<Scene>,
     /// Width and height in pixels: less than wanted while something moves.
     pub(crate) size: [u32; 2],
     /// Eight bits of sRGB and alpha each, rows from the top.
