@@ -12,8 +12,9 @@
 
 /// The ε of the minimal cone: a cone that is slimmer by less is not looked for.
 const TOLERANCE: f32 = 0.1;
-/// The most evaluations of a march for a part of a light.
-const MOST_CELL_EVALUATIONS: u32 = 64u;
+/// The most evaluations of a march for a part of a light. Slim cones along an edge take many small steps; one that is
+/// given up counts what it has not yet reached as free.
+const MOST_CELL_EVALUATIONS: u32 = 192u;
 /// No bound: the minimum is at an end of the interval.
 const UNBOUNDED: f32 = 1e9;
 
