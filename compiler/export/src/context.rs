@@ -22,8 +22,8 @@ pub(crate) struct Context<'a> {
     parameters: Vec<Live>,
     /// The shader code.
     code: &'a str,
-    box_min: [f32; 3],
-    box_max: [f32; 3],
+    box_min: [f64; 3],
+    box_max: [f64; 3],
     lipschitz: f32,
     eye: [f64; 3],
     target: [f64; 3],
@@ -61,7 +61,10 @@ impl<'a> Context<'a> {
             is_time: parameter.is_time,
         };
         let camera = &scene.camera;
+        // To the micrometre: a box that is slightly larger does no harm.
+        let rounded = |x: f32, by: f64| (f64::from(x) * 1e3 + by).round() / 1e3;
         let [box_min, box_max] = scene.setting.bounds;
+        let (box_min, box_max) = (box_min.map(|x| rounded(x, -0.5)), box_max.map(|x| rounded(x, 0.5)));
         let mut context = Self {
             title: scene.title,
             about: String::new(),
