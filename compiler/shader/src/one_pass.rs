@@ -71,7 +71,12 @@ impl Setting {
         constant("Its greatest corner.", "box_max", "vec3<f32>", vector(&greatest));
         constant("Whether there is a floor.", "has_floor", "bool", self.floor.is_some().to_string());
         constant("The floor's height.", "floor", "f32", number(self.floor.unwrap_or_default()));
-        constant("Whether a studio surrounds the scene, or else a sky.", "is_studio", "bool", self.sky.is_none().to_string());
+        constant(
+            "Whether a studio surrounds the scene, or else a sky.",
+            "is_studio",
+            "bool",
+            self.sky.is_none().to_string(),
+        );
         constant("How the studio is turned about z: cosine, sine.", "azimuth", "vec2<f32>", vector(&self.azimuth));
         constant("The sky's radiance overhead.", "zenith", "vec3<f32>", vector(&zenith));
         constant("The sky's radiance at the horizon.", "horizon", "vec3<f32>", vector(&horizon));

@@ -67,9 +67,7 @@ impl Template {
         match self {
             Template::Library => vec![include_str!("../templates/library.wgsl")],
             Template::Distances => vec![include_str!("../templates/distances.wgsl")],
-            Template::Prepass => {
-                [&VIEW[..], &[include_str!("../templates/prepass.wgsl")]].concat()
-            }
+            Template::Prepass => [&VIEW[..], &[include_str!("../templates/prepass.wgsl")]].concat(),
             Template::Trace => {
                 let own = [
                     MEET,
