@@ -348,6 +348,11 @@ pub(crate) struct Compare {
     #[arg(long)]
     pub(crate) figure4: bool,
 
+    /// Compare pictures in one pass, as exported shaders draw them, with converged ones of as many samples, and print how alike
+    /// they are. Nothing is written.
+    #[arg(long, value_name = "SAMPLES", conflicts_with_all = ["suite", "figure4", "output"], requires = "scenes")]
+    pub(crate) one_pass: Option<u32>,
+
     /// Of the suite, compare on these scenes only: primitives,fence.
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) only: Vec<String>,

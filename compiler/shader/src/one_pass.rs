@@ -130,9 +130,11 @@ pub(crate) const FILES: &[&str] = &[
     include_str!("../templates/shadows/pieces.wgsl"),
     include_str!("../templates/shadows/verified/march.wgsl"),
     include_str!("../templates/one_pass/gloss.wgsl"),
+    include_str!("../templates/light_lobe.wgsl"),
     include_str!("../templates/one_pass/query.wgsl"),
     include_str!("../templates/one_pass/light_cone.wgsl"),
     include_str!("../templates/one_pass/surroundings.wgsl"),
+    include_str!("../templates/one_pass/lobe.wgsl"),
     include_str!("../templates/one_pass/one_pass.wgsl"),
     include_str!("../templates/one_pass/rays.wgsl"),
 ];

@@ -372,7 +372,7 @@ impl Picture {
     }
 
     /// Forgets all samples.
-    fn restart(&mut self) -> Result<()> {
+    pub fn restart(&mut self) -> Result<()> {
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         encoder.clear_buffer(&self.buffers.sums, 0, None);
         self.gpu.finish(encoder)?;

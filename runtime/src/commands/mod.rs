@@ -3,6 +3,7 @@
 pub(crate) mod adapters;
 pub(crate) mod check;
 pub(crate) mod compare;
+mod compare_one_pass;
 pub(crate) mod distance;
 pub(crate) mod dump;
 #[cfg(feature = "editor")]

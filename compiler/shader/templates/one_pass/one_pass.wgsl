@@ -19,14 +19,16 @@ const LEAST_TRANSMITTED: f32 = 0.02;
 /// Of one ray.
 const MAX_QUERIES: i32 = 256;
 
-/// What a query is about: the ray from the eye; a light; a cell of it; the sky; the mirror image, and a light there.
+/// What a query is about: the ray from the eye; a light; a cell of it; the sky; the mirror image, and a light there; a part of
+/// a mirror image that is blurred.
 const STAGE_EYE: i32 = 0;
 const STAGE_LIGHT: i32 = 1;
 const STAGE_CELL: i32 = 2;
 const STAGE_SKY: i32 = 3;
 const STAGE_MIRROR: i32 = 4;
 const STAGE_MIRROR_LIGHT: i32 = 5;
-const STAGE_OVER: i32 = 6;
+const STAGE_LOBE: i32 = 6;
+const STAGE_OVER: i32 = 7;
 
 /// What a ray sees.
 struct OnePass {
@@ -56,6 +58,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
 
     var stage = STAGE_EYE;
     var query = query_ray(o, w, vec2<f32>(epsilon, HIT * pixel_angle));
+    query.end = shining.w;
     // What of the light behind the surfaces so far reaches the eye; how many there are.
     var transmitted = 1.0;
     var layer = 0;
@@ -88,6 +91,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
     var mirror_surface = surface;
     var mirror_open = 1.0;
     var mirror_light = vec3<f32>(0.0);
+    var lobe_weight = 0.0;
 
     for (var asked = 0; asked < MAX_QUERIES; asked++) {
         let answer = ask(query);
@@ -162,20 +166,19 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
         } else if stage == STAGE_SKY {
             // The surface's own horizon is no occluder: the cosine knows of it.
             let cosine = dot(n, query.w);
-            let open = clamp(smooth_area(answer.least) / smooth_area(cosine / SKY_SINE), 0.0, 1.0);
+            let open = cone_openness(answer.least, cosine, SKY_SINE);
             let falls = query.w.z < -1e-6 && setting_has_floor() && position.z > setting_floor();
             var beyond = select(sky_of_cone(query.w), background, catches);
             if falls {
                 let at = query.o + query.end * query.w;
-                beyond = second_radiance(at, vec3<f32>(0.0, 0.0, 1.0), floor_surface(), FLOOR_SEEN, 0.0);
+                beyond = second_radiance(at, vec3<f32>(0.0, 0.0, 1.0), floor_surface(), query.w, FLOOR_SEEN, 0.0);
             }
-            let covering = second_radiance(met_position, -query.w, met, LAST_SEEN, GLOW_PART);
+            let covering = second_radiance(met_position, -query.w, met, query.w, LAST_SEEN, GLOW_PART);
             sky_weight += cosine;
             sky_light += cosine * mix(covering, beyond, open);
         } else if stage == STAGE_MIRROR {
             let t_mirror = floor_crossing(Ray(query.o, query.w));
-            let cosine = max(dot(n, query.w), 0.02);
-            mirror_open = clamp(smooth_area(answer.least) / smooth_area(cosine / query.sine), 0.0, 1.0);
+            mirror_open = cone_openness(answer.least, max(dot(n, query.w), 0.02), query.sine);
             mirror_open = select(mirror_open, 0.0, is_hit);
             mirror_light = vec3<f32>(0.0);
             if is_hit || t_mirror >= 0.0 {
@@ -186,17 +189,28 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
                     mirror_surface = floor_surface();
                     mirror_open = 0.0;
                 }
-                mirror_light = second_radiance(mirror_position, mirror_n, mirror_surface, 0.0, 1.0);
+                mirror_light = second_radiance(mirror_position, mirror_n, mirror_surface, query.w, 0.0, 1.0);
                 stage = STAGE_MIRROR_LIGHT;
                 index = -1;
             } else {
                 stage = STAGE_OVER;
             }
+        } else if stage == STAGE_LOBE {
+            let open = cone_openness(answer.least, dot(n, query.w), query.sine);
+            let falls = query.w.z < -1e-6 && setting_has_floor() && position.z > setting_floor();
+            var beyond = sky(query.w, sqrt(x.alpha));
+            if falls {
+                let at = query.o + query.end * query.w;
+                beyond = second_radiance(at, vec3<f32>(0.0, 0.0, 1.0), floor_surface(), query.w, FLOOR_SEEN, 0.0);
+            }
+            let covering = second_radiance(met_position, slope_n, met, query.w, LAST_SEEN, 1.0);
+            lobe_weight += lobe_direction(x, index).w;
+            mirror_light += lobe_direction(x, index).w * mix(covering, beyond, open);
         } else {
             let bare_there = light_bare(setting_light(index), query.o, mirror_n);
             let part = select(min(bare_there, smooth_area(answer.least)), bare_there, answer.contact < 0.0);
-            let one = setting_light(index);
-            mirror_light += mirror_surface.color.rgb * (part / max(bare_there, TINY) * light_irradiance(one, query.o, mirror_n) / PI) * one.radiance.rgb;
+            let there = second_vertex(mirror_n, mirror_surface, reflect(-x.v, n));
+            mirror_light += part / max(bare_there, TINY) * second_light(there, query.o, setting_light(index));
         }
 
         // What to ask next.
@@ -262,12 +276,19 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
                     } else {
                         result.color += weight * (1.0 - x.albedo) * x.body * from_sky;
                         let mirrored = reflect(-x.v, n);
+                        let most = max(x.albedo.x, max(x.albedo.y, x.albedo.z));
                         stage = STAGE_MIRROR;
                         query = query_ray(position + clearance * n, mirrored, vec2<f32>(0.25 * clearance, 0.0));
                         query.sine = clamp(1.5 * x.alpha, 0.05, 0.7);
                         mirror_open = 1.0;
-                        asks = max(x.albedo.x, max(x.albedo.y, x.albedo.z)) > WORTH_MIRRORING && dot(mirrored, n) > 0.0;
-                        if !asks {
+                        asks = most > WORTH_MIRRORING && dot(mirrored, n) > 0.0;
+                        if asks && x.alpha > LEAST_LOBE_ALPHA {
+                            stage = STAGE_LOBE;
+                            mirror_light = vec3<f32>(0.0);
+                            lobe_weight = 0.0;
+                            index = -1;
+                            asks = false;
+                        } else if !asks {
                             stage = STAGE_OVER;
                         }
                     }
@@ -280,6 +301,24 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
                     query.looks = false;
                     asks = query.sine > 0.0;
                 } else {
+                    stage = STAGE_OVER;
+                }
+            } else if stage == STAGE_LOBE {
+                index += 1;
+                if index < LOBE_CONES {
+                    let towards = lobe_direction(x, index);
+                    if towards.w > 0.0 {
+                        let from_surface = position + clearance * n;
+                        let t_end = scene_reach(from_surface, towards.xyz) * 1.5;
+                        let t_ground = floor_crossing(Ray(from_surface, towards.xyz));
+                        let sine = clamp(LOBE_SINE * x.alpha, 0.02, 0.5);
+                        query = query_cone(from_surface, towards.xyz, sine, select(t_end, t_ground, t_ground >= 0.0), n, clearance, false);
+                        query.faces = true;
+                        asks = true;
+                    }
+                } else {
+                    mirror_light /= max(lobe_weight, TINY);
+                    mirror_open = 0.0;
                     stage = STAGE_OVER;
                 }
             } else if stage == STAGE_OVER {
@@ -304,21 +343,13 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
     return result;
 }
 
+/// How much of a cone is free, of what the surface that it starts at leaves of it.
+fn cone_openness(least: f32, cosine: f32, sine: f32) -> f32 {
+    return clamp(smooth_area(least) / smooth_area(cosine / sine), 0.0, 1.0);
+}
+
 /// What a surface sends to the eye of a light of which it sees all, and gets this irradiance per radiance.
 fn direct_radiance(x: Vertex, light: Light, p: vec3<f32>, irradiance: f32) -> vec3<f32> {
     let body = (1.0 - x.albedo) * x.body / PI * irradiance;
-    // The lobe sees the point of the light's cone that is nearest to the mirror's direction.
-    let cone = light_bound(light, p);
-    let cosine = max(dot(x.n, cone.xyz), 0.1);
-    let sine = min(cone.w, sqrt(irradiance / (PI * cosine)));
-    let tangent = sine / sqrt(max(1.0 - sine * sine, 1e-4));
-    let mirrored = reflect(-x.v, x.n);
-    let along = dot(mirrored, cone.xyz);
-    let off = (mirrored - along * cone.xyz) / max(along, 1e-3);
-    let nearest = normalize(cone.xyz + off * min(1.0, tangent / max(length(off), 1e-9)));
-    let towards = select(cone.xyz, nearest, along > 0.0);
-    let widened = clamp(x.alpha + 0.5 * sine, 0.0, 1.0);
-    let narrowing = x.alpha / widened;
-    let gloss = gloss_towards(x, towards, 0.0) * narrowing * narrowing * irradiance / cosine;
-    return (body + gloss) * light.radiance.rgb;
+    return (body + gloss_of_light(light, x, p)) * light.radiance.rgb;
 }

@@ -43,13 +43,15 @@ struct Query {
     proves: bool,
     /// Of a cone: whether to look for contact first, and then on along the axis.
     looks: bool,
+    /// Of a cone: whether the normal of what covers it is asked for.
+    faces: bool,
 }
 
 /// What is known then.
 struct Answer {
-    /// How far along the ray it meets a surface, negative for none; how far along the cone it is covered most.
+    /// How far along the ray it meets a surface, negative for none; how far along the cone its axis does, or is nearest to one.
     t: f32,
-    /// The distance there, and its slope: the normal, but for its length. Of a ray.
+    /// The distance there, of a ray; and its slope: the normal, but for its length.
     d: f32,
     n: vec3<f32>,
     /// How far around n was asked.
@@ -77,12 +79,12 @@ fn tetrahedron_corner(k: i32) -> vec3<f32> {
 
 /// A ray from o to where the scene ends.
 fn query_ray(o: vec3<f32>, w: vec3<f32>, hit: vec2<f32>) -> Query {
-    return Query(QUERY_RAY, o, w, 0.0, FAR, hit, 1.0, 1.0, vec3<f32>(0.0), 0.0, false, false);
+    return Query(QUERY_RAY, o, w, 0.0, FAR, hit, 1.0, 1.0, vec3<f32>(0.0), 0.0, false, false, true);
 }
 
 /// A cone from a point that lies `offset` above a surface whose normal is n.
 fn query_cone(o: vec3<f32>, w: vec3<f32>, sine: f32, end: f32, n: vec3<f32>, offset: f32, proves: bool) -> Query {
-    return Query(QUERY_CONE, o, w, 0.0, end, vec2<f32>(0.0), 1.0, sine, n, offset, proves, proves);
+    return Query(QUERY_CONE, o, w, 0.0, end, vec2<f32>(0.0), 1.0, sine, n, offset, proves, proves, false);
 }
 
 /// Asks the scene.
@@ -115,8 +117,12 @@ fn ask(query: Query) -> Answer {
     var starts_ahead = query.start > 0.0;
 
     while answer.evaluations < select(MAX_STEPS, MAX_CONE_STEPS, is_cone) {
-        if select(probes == 0 && t >= end, march.over, is_cone) {
-            break;
+        if probes == 0 && select(t >= end, march.over, is_cone) {
+            if !is_cone || !query.faces || march.least > 0.95 * query.sine {
+                break;
+            }
+            answer.h = max(0.25 * query.sine * answer.t, query.offset);
+            probes = 4;
         }
 
         // Ask the scene: ahead on the ray, at a corner about the hit, or on the cone's axis.
@@ -129,7 +135,7 @@ fn ask(query: Query) -> Answer {
         let d = scene_distance(p);
         answer.evaluations += 1;
 
-        if is_cone {
+        if is_cone && probes == 0 {
             let f = d / lipschitz;
             if starts_ahead {
                 starts_ahead = false;
@@ -140,8 +146,12 @@ fn ask(query: Query) -> Answer {
                 march.least = select(march.least, 0.0, f <= 0.0);
             } else {
                 let least = march.least;
+                let before = vec2<f32>(march.t, march.f);
                 march = march_takes(march, on_axis, f);
-                answer.t = select(answer.t, march.t, march.least < least);
+                if march.least < least && least > 0.0 {
+                    let crossing = mix(before.x, march.t, before.y / max(before.y - march.f, TINY));
+                    answer.t = select(march.t, crossing, march.f < 0.0 && march.t > before.x);
+                }
                 if march.touched && march.looking {
                     // Look on from here along the axis, more carefully, whether all of it is covered.
                     answer.contact = march.t;
@@ -161,6 +171,9 @@ fn ask(query: Query) -> Answer {
             probes -= 1;
             if probes > 0 {
                 continue;
+            }
+            if is_cone {
+                break;
             }
             let slope = max(length(answer.n) / (4.0 * answer.h), fall);
             if found <= (query.hit.x + query.hit.y * t) * slope {

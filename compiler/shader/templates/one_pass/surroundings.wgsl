@@ -11,6 +11,8 @@ const SKY_CONES: i32 = 12;
 const SKY_SINE: f32 = 0.553;
 /// How much of the sky reaches a second surface, at a guess, as `trace.wgsl` has it.
 const LAST_OPENNESS: f32 = 0.6;
+/// Behind the first surface none counts as smoother than this, as `trace.wgsl` has it.
+const LAST_ROUGHNESS: f32 = 0.6;
 /// How much of the lights reaches a second surface, at a guess, where nobody asked: one of the scene, and the floor.
 const LAST_SEEN: f32 = 0.6;
 const FLOOR_SEEN: f32 = 0.8;
@@ -43,16 +45,30 @@ fn sky_of_lobe(n: vec3<f32>, mirrored: vec3<f32>, roughness: f32) -> vec3<f32> {
     return sky(normalize(mix(n, mirrored, bend)), blur);
 }
 
-/// What a second surface sends on, of whose lights it sees this part.
-fn second_radiance(p: vec3<f32>, n: vec3<f32>, surface: Surface, seen: f32, glow: f32) -> vec3<f32> {
-    let color = clamp(surface.color.rgb, vec3<f32>(0.0), vec3<f32>(1.0));
-    let scattered = color * mix(1.0, 0.9, surface.finish.y) + 0.04 * (1.0 - surface.finish.y);
-    var light = ambient(n) * LAST_OPENNESS;
+/// A second surface, as `trace.wgsl` sees it in direction w: rougher than it is.
+fn second_vertex(n: vec3<f32>, surface: Surface, w: vec3<f32>) -> Vertex {
+    var rougher = surface;
+    rougher.finish.x = max(surface.finish.x, LAST_ROUGHNESS);
+    return vertex_of(rougher, n, -w);
+}
+
+/// What a second surface sends back along w, of whose lights it sees this part.
+fn second_radiance(p: vec3<f32>, n: vec3<f32>, surface: Surface, w: vec3<f32>, seen: f32, glow: f32) -> vec3<f32> {
+    let x = second_vertex(n, surface, w);
+    var radiance = surface.color.rgb * (surface.finish.z * glow) + (x.body + x.f0) * ambient(n) * LAST_OPENNESS;
     for (var i = 0; i < setting_light_count(); i++) {
-        let one = setting_light(i);
-        light += seen / PI * light_irradiance(one, p, n) * one.radiance.rgb;
+        radiance += seen * second_light(x, p, setting_light(i));
     }
-    return surface.color.rgb * (surface.finish.z * glow) + scattered * light;
+    return radiance;
+}
+
+/// What it sends back of a light of which it sees all.
+fn second_light(x: Vertex, p: vec3<f32>, light: Light) -> vec3<f32> {
+    let cone = light_bound(light, p);
+    let irradiance = light_irradiance(light, p, x.n);
+    let cosine = max(dot(x.n, cone.xyz), 0.1);
+    let sent = (1.0 - x.albedo) * x.body / PI + gloss_towards(x, cone.xyz, min(cone.w, 1.0)) / cosine;
+    return sent * irradiance * light.radiance.rgb;
 }
 
 fn floor_surface() -> Surface {
