@@ -173,7 +173,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
                 let at = query.o + query.end * query.w;
                 beyond = second_radiance(at, vec3<f32>(0.0, 0.0, 1.0), floor_surface(), query.w, FLOOR_SEEN, 0.0);
             }
-            let covering = second_radiance(met_position, -query.w, met, query.w, LAST_SEEN, GLOW_PART);
+            let covering = second_radiance(met_position, slope_n, met, query.w, LAST_SEEN, GLOW_PART);
             sky_weight += cosine;
             sky_light += cosine * mix(covering, beyond, open);
         } else if stage == STAGE_MIRROR {
@@ -266,6 +266,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
                         let t_end = scene_reach(lit_from, towards) * 1.5;
                         let t_ground = floor_crossing(Ray(lit_from, towards));
                         query = query_cone(lit_from, towards, SKY_SINE, select(t_end, t_ground, t_ground >= 0.0), n, clearance, false);
+                        query.faces = true;
                         asks = true;
                     }
                 } else {
