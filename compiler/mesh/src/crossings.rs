@@ -150,5 +150,5 @@ fn normals(lattice: &Lattice, crossings: &[Crossing], sampler: &mut Sampler) -> 
 }
 
 fn sign(side: usize) -> f64 {
-    if side % 2 == 0 { 1.0 } else { -1.0 }
+    if side.is_multiple_of(2) { 1.0 } else { -1.0 }
 }
