@@ -2,7 +2,7 @@
 //!
 //! * [`model()`] finds the surface of a [`Field`], a [`GraphField`] for instance, and makes a [`Model`] of it: a [`Mesh`]
 //!   that is closed and manifold, with sharp edges where the solid has them, materials and normals.
-//! * [`write`] makes the bytes of STL, OBJ, PLY, 3MF and glTF files of it.
+//! * [`write`](mod@write) makes the bytes of STL, OBJ, PLY, 3MF and glTF files of it.
 //!
 //! Inside, `lattice` is where the surface is looked for, `search` finds the cells it goes through, `crossings` where it
 //! crosses their edges, `cycles` and `sheets` how it goes through each cell, `placement` puts a vertex on each sheet,
