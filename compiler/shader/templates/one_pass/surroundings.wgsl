@@ -71,6 +71,29 @@ fn second_light(x: Vertex, p: vec3<f32>, light: Light) -> vec3<f32> {
     return sent * irradiance * light.radiance.rgb;
 }
 
+/// A cone from o, above a surface, to the floor or to where the scene ends.
+fn query_surroundings(o: vec3<f32>, w: vec3<f32>, sine: f32, n: vec3<f32>, clearance: f32) -> Query {
+    let t_floor = floor_crossing(Ray(o, w));
+    let end = select(1.5 * scene_reach(o, w), t_floor, t_floor >= 0.0);
+    var query = query_cone(o, w, sine, end, n, clearance, false);
+    query.faces = true;
+    return query;
+}
+
+/// What such a cone sees if nothing covers it: the floor, or this of the sky.
+fn light_beyond(query: Query, from_sky: vec3<f32>) -> vec3<f32> {
+    if floor_crossing(Ray(query.o, query.w)) < 0.0 {
+        return from_sky;
+    }
+    let at = query.o + query.end * query.w;
+    return second_radiance(at, vec3<f32>(0.0, 0.0, 1.0), floor_surface(), query.w, FLOOR_SEEN, 0.0);
+}
+
+/// How much of a cone is free, of what the surface that it starts at leaves of it.
+fn cone_openness(least: f32, cosine: f32, sine: f32) -> f32 {
+    return clamp(smooth_area(least) / smooth_area(cosine / sine), 0.0, 1.0);
+}
+
 fn floor_surface() -> Surface {
     return Surface(vec4<f32>(FLOOR_ALBEDO, 1.0), vec4<f32>(1.0, 0.0, 0.0, 0.0));
 }
