@@ -82,9 +82,10 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
     var seen = 0.0;
     var shares = 0.0;
     var piece = Piece(n, 1.0, 0.0, 0.0, 1.0);
-    // Its sky: the weights of cones, what of the sky they see, and what comes from what covers it.
+    // Its sky: the weights of cones, the light that comes through them, and how much of them is free.
     var sky_weight = 0.0;
     var sky_light = vec3<f32>(0.0);
+    var sky_open = 0.0;
     // Its mirror image.
     var mirror_position = o;
     var mirror_n = -w;
@@ -143,6 +144,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
             result.color += select(weight * surface.color.rgb * surface.finish.z, vec3<f32>(0.0), catches);
             sky_weight = 0.0;
             sky_light = vec3<f32>(0.0);
+            sky_open = 0.0;
             stage = STAGE_LIGHT;
             index = -1;
         } else if stage == STAGE_LIGHT {
@@ -168,8 +170,10 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
             let cosine = dot(n, query.w);
             let open = cone_openness(answer.least, cosine, SKY_SINE);
             let beyond = light_beyond(query, select(sky_of_cone(query.w), background, catches));
-            let covering = second_radiance(met_position, slope_n, met, query.w, LAST_SEEN, GLOW_PART);
+            // What glows is often smaller than a cone, which would show as bands: it lights nothing but mirrors.
+            let covering = second_radiance(met_position, slope_n, met, query.w, LAST_SEEN, 0.0);
             sky_weight += cosine;
+            sky_open += cosine * open;
             sky_light += cosine * mix(covering, beyond, open);
         } else if stage == STAGE_MIRROR {
             let t_mirror = floor_crossing(Ray(query.o, query.w));
@@ -193,7 +197,9 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
         } else if stage == STAGE_LOBE {
             let open = cone_openness(answer.least, dot(n, query.w), query.sine);
             let beyond = light_beyond(query, sky(query.w, sqrt(x.alpha)));
-            let covering = second_radiance(met_position, slope_n, met, query.w, LAST_SEEN, 1.0);
+            // What a surface mirrors that sees much of the sky is likely to see the lights.
+            let seen_there = clamp(SEEN_OF_OPEN * sky_open / max(sky_weight, TINY), 0.0, 1.0);
+            let covering = second_radiance(met_position, slope_n, met, query.w, seen_there, 1.0);
             let share = lobe_direction(x, index).w;
             lobe_weight += share;
             mirror_light += share * mix(covering, beyond, open);

@@ -16,8 +16,8 @@ const LAST_ROUGHNESS: f32 = 0.6;
 /// How much of the lights reaches a second surface, at a guess, where nobody asked: one of the scene, and the floor.
 const LAST_SEEN: f32 = 0.6;
 const FLOOR_SEEN: f32 = 0.8;
-/// How much of a glowing surface that covers a cone is in it: most are smaller than the cone.
-const GLOW_PART: f32 = 0.15;
+/// The same of what a rough surface mirrors, as a part of how much of the sky that surface sees.
+const SEEN_OF_OPEN: f32 = 1.3;
 
 /// The direction of a cone: the k-th corner of an icosahedron that stands on one.
 fn sky_direction(k: i32) -> vec3<f32> {
@@ -52,7 +52,7 @@ fn second_vertex(n: vec3<f32>, surface: Surface, w: vec3<f32>) -> Vertex {
     return vertex_of(rougher, n, -w);
 }
 
-/// What a second surface sends back along w, of whose lights it sees this part.
+/// What a second surface sends back along w, of whose lights it sees this part, and so much of its own glow.
 fn second_radiance(p: vec3<f32>, n: vec3<f32>, surface: Surface, w: vec3<f32>, seen: f32, glow: f32) -> vec3<f32> {
     let x = second_vertex(n, surface, w);
     var radiance = surface.color.rgb * (surface.finish.z * glow) + (x.body + x.f0) * ambient(n) * LAST_OPENNESS;
