@@ -82,9 +82,10 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
     var seen = 0.0;
     var shares = 0.0;
     var piece = Piece(n, 1.0, 0.0, 0.0, 1.0);
-    // Its sky: the weights of cones, what of the sky they see, and what comes from what covers it.
+    // Its sky: the weights of cones, the light that comes through them, and how much of them is free.
     var sky_weight = 0.0;
     var sky_light = vec3<f32>(0.0);
+    var sky_open = 0.0;
     // Its mirror image.
     var mirror_position = o;
     var mirror_n = -w;
@@ -143,6 +144,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
             result.color += select(weight * surface.color.rgb * surface.finish.z, vec3<f32>(0.0), catches);
             sky_weight = 0.0;
             sky_light = vec3<f32>(0.0);
+            sky_open = 0.0;
             stage = STAGE_LIGHT;
             index = -1;
         } else if stage == STAGE_LIGHT {
@@ -167,14 +169,11 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
             // The surface's own horizon is no occluder: the cosine knows of it.
             let cosine = dot(n, query.w);
             let open = cone_openness(answer.least, cosine, SKY_SINE);
-            let falls = query.w.z < -1e-6 && setting_has_floor() && position.z > setting_floor();
-            var beyond = select(sky_of_cone(query.w), background, catches);
-            if falls {
-                let at = query.o + query.end * query.w;
-                beyond = second_radiance(at, vec3<f32>(0.0, 0.0, 1.0), floor_surface(), query.w, FLOOR_SEEN, 0.0);
-            }
-            let covering = second_radiance(met_position, slope_n, met, query.w, LAST_SEEN, GLOW_PART);
+            let beyond = light_beyond(query, select(sky_of_cone(query.w), background, catches));
+            // What glows is often smaller than a cone, which would show as bands: it lights nothing but mirrors.
+            let covering = second_radiance(met_position, slope_n, met, query.w, LAST_SEEN, 0.0);
             sky_weight += cosine;
+            sky_open += cosine * open;
             sky_light += cosine * mix(covering, beyond, open);
         } else if stage == STAGE_MIRROR {
             let t_mirror = floor_crossing(Ray(query.o, query.w));
@@ -197,15 +196,13 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
             }
         } else if stage == STAGE_LOBE {
             let open = cone_openness(answer.least, dot(n, query.w), query.sine);
-            let falls = query.w.z < -1e-6 && setting_has_floor() && position.z > setting_floor();
-            var beyond = sky(query.w, sqrt(x.alpha));
-            if falls {
-                let at = query.o + query.end * query.w;
-                beyond = second_radiance(at, vec3<f32>(0.0, 0.0, 1.0), floor_surface(), query.w, FLOOR_SEEN, 0.0);
-            }
-            let covering = second_radiance(met_position, slope_n, met, query.w, LAST_SEEN, 1.0);
-            lobe_weight += lobe_direction(x, index).w;
-            mirror_light += lobe_direction(x, index).w * mix(covering, beyond, open);
+            let beyond = light_beyond(query, sky(query.w, sqrt(x.alpha)));
+            // What a surface mirrors that sees much of the sky is likely to see the lights.
+            let seen_there = clamp(SEEN_OF_OPEN * sky_open / max(sky_weight, TINY), 0.0, 1.0);
+            let covering = second_radiance(met_position, slope_n, met, query.w, seen_there, 1.0);
+            let share = lobe_direction(x, index).w;
+            lobe_weight += share;
+            mirror_light += share * mix(covering, beyond, open);
         } else {
             let bare_there = light_bare(setting_light(index), query.o, mirror_n);
             let part = select(min(bare_there, smooth_area(answer.least)), bare_there, answer.contact < 0.0);
@@ -262,11 +259,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
                 if index < SKY_CONES {
                     let towards = sky_direction(index);
                     if dot(n, towards) > 0.01 {
-                        let lit_from = position + clearance * n;
-                        let t_end = scene_reach(lit_from, towards) * 1.5;
-                        let t_ground = floor_crossing(Ray(lit_from, towards));
-                        query = query_cone(lit_from, towards, SKY_SINE, select(t_end, t_ground, t_ground >= 0.0), n, clearance, false);
-                        query.faces = true;
+                        query = query_surroundings(position + clearance * n, towards, SKY_SINE, n, clearance);
                         asks = true;
                     }
                 } else {
@@ -309,12 +302,8 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
                 if index < LOBE_CONES {
                     let towards = lobe_direction(x, index);
                     if towards.w > 0.0 {
-                        let from_surface = position + clearance * n;
-                        let t_end = scene_reach(from_surface, towards.xyz) * 1.5;
-                        let t_ground = floor_crossing(Ray(from_surface, towards.xyz));
-                        let sine = clamp(LOBE_SINE * x.alpha, 0.02, 0.5);
-                        query = query_cone(from_surface, towards.xyz, sine, select(t_end, t_ground, t_ground >= 0.0), n, clearance, false);
-                        query.faces = true;
+                        let sine = min(LOBE_SINE * x.alpha, 0.5);
+                        query = query_surroundings(position + clearance * n, towards.xyz, sine, n, clearance);
                         asks = true;
                     }
                 } else {
@@ -342,11 +331,6 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
     }
     result.color = min(result.color, vec3<f32>(MAX_RADIANCE));
     return result;
-}
-
-/// How much of a cone is free, of what the surface that it starts at leaves of it.
-fn cone_openness(least: f32, cosine: f32, sine: f32) -> f32 {
-    return clamp(smooth_area(least) / smooth_area(cosine / sine), 0.0, 1.0);
 }
 
 /// What a surface sends to the eye of a light of which it sees all, and gets this irradiance per radiance.

@@ -16,8 +16,8 @@ const LAST_ROUGHNESS: f32 = 0.6;
 /// How much of the lights reaches a second surface, at a guess, where nobody asked: one of the scene, and the floor.
 const LAST_SEEN: f32 = 0.6;
 const FLOOR_SEEN: f32 = 0.8;
-/// How much of a glowing surface that covers a cone is in it: most are smaller than the cone.
-const GLOW_PART: f32 = 0.15;
+/// The same of what a rough surface mirrors, as a part of how much of the sky that surface sees.
+const SEEN_OF_OPEN: f32 = 1.3;
 
 /// The direction of a cone: the k-th corner of an icosahedron that stands on one.
 fn sky_direction(k: i32) -> vec3<f32> {
@@ -52,7 +52,7 @@ fn second_vertex(n: vec3<f32>, surface: Surface, w: vec3<f32>) -> Vertex {
     return vertex_of(rougher, n, -w);
 }
 
-/// What a second surface sends back along w, of whose lights it sees this part.
+/// What a second surface sends back along w, of whose lights it sees this part, and so much of its own glow.
 fn second_radiance(p: vec3<f32>, n: vec3<f32>, surface: Surface, w: vec3<f32>, seen: f32, glow: f32) -> vec3<f32> {
     let x = second_vertex(n, surface, w);
     var radiance = surface.color.rgb * (surface.finish.z * glow) + (x.body + x.f0) * ambient(n) * LAST_OPENNESS;
@@ -69,6 +69,29 @@ fn second_light(x: Vertex, p: vec3<f32>, light: Light) -> vec3<f32> {
     let cosine = max(dot(x.n, cone.xyz), 0.1);
     let sent = (1.0 - x.albedo) * x.body / PI + gloss_towards(x, cone.xyz, min(cone.w, 1.0)) / cosine;
     return sent * irradiance * light.radiance.rgb;
+}
+
+/// A cone from o, above a surface, to the floor or to where the scene ends.
+fn query_surroundings(o: vec3<f32>, w: vec3<f32>, sine: f32, n: vec3<f32>, clearance: f32) -> Query {
+    let t_floor = floor_crossing(Ray(o, w));
+    let end = select(1.5 * scene_reach(o, w), t_floor, t_floor >= 0.0);
+    var query = query_cone(o, w, sine, end, n, clearance, false);
+    query.faces = true;
+    return query;
+}
+
+/// What such a cone sees if nothing covers it: the floor, or this of the sky.
+fn light_beyond(query: Query, from_sky: vec3<f32>) -> vec3<f32> {
+    if floor_crossing(Ray(query.o, query.w)) < 0.0 {
+        return from_sky;
+    }
+    let at = query.o + query.end * query.w;
+    return second_radiance(at, vec3<f32>(0.0, 0.0, 1.0), floor_surface(), query.w, FLOOR_SEEN, 0.0);
+}
+
+/// How much of a cone is free, of what the surface that it starts at leaves of it.
+fn cone_openness(least: f32, cosine: f32, sine: f32) -> f32 {
+    return clamp(smooth_area(least) / smooth_area(cosine / sine), 0.0, 1.0);
 }
 
 fn floor_surface() -> Surface {
