@@ -412,6 +412,25 @@ fn export_writes_over_files_only_when_forced() {
 }
 
 #[test]
+fn export_writes_shader_code_for_the_ending_or_the_target() {
+    let folder = Folder::new().with("a.csg", "r = 5; // [1:0.5:10]\nsphere(r);");
+    for (extra, expected) in [
+        (&["-o", "a.glsl"][..], "float scene_distance(vec3 p) {"),
+        (&["-o", "a.hlsl"], "float scene_distance(float3 p) {"),
+        (&["-o", "a.metal"], "float scene_distance(constant Parameters& parameters, float3 p) {"),
+        (&["-o", "a.wgsl", "--program"], "fn pixel(@builtin(position)"),
+        (&["-o", "a.frag", "--to", "shadertoy"], "void mainImage("),
+        (&["-o", "a.html"], "getContext(\"webgl2\""),
+    ] {
+        succeeded(folder.run(&[&["export", "a.csg"], extra].concat()));
+        let text = fs::read_to_string(folder.path(extra[1])).unwrap();
+        assert!(text.contains(expected) && text.contains("from 1 to 10, 5 by default"), "{extra:?}: {text}");
+    }
+    let output = folder.run(&["export", "a.csg", "-o", "a.stl", "--program"]);
+    assert!(!output.status.success() && stderr(&output).contains("shading languages"), "{}", stderr(&output));
+}
+
+#[test]
 fn what_cannot_be_exported_says_why_and_writes_nothing() {
     let folder = Folder::new();
     for (scene, extra, reason) in [
@@ -421,7 +440,7 @@ fn what_cannot_be_exported_says_why_and_writes_nothing() {
         ("gyroid(period = 5, thickness = 1);", &[], "no end"),
         ("sphere(10);", &["--resolution", "900000"], "too many"),
         ("cube([100, 100, 0.01]);", &["--resolution", "10"], "as thick as a cell"),
-        ("cube(;", &[], "expected"),
+        ("cube(;", &[], "missing `)`"),
     ] {
         fs::write(folder.path("a.csg"), scene).unwrap();
         let output = folder.run(&[&["export", "a.csg", "-o", "a.stl"], extra].concat());
