@@ -21,6 +21,9 @@ use pattern::{Patterns, weights};
 pub use cells::{BLOCK_EDGE, Cell, Cells, MOST_DIVISIONS};
 pub use pattern::Pattern;
 
+/// The most crowds of a graph: the largest ones.
+pub const MOST_CROWDS: usize = 8;
+
 /// With fewer operands that cells can tell apart, a union is no crowd.
 const MANY: usize = 64;
 /// The most patterns of a crowd: what five bits can tell apart, and none.
@@ -33,7 +36,7 @@ const MOST_PATTERN_WEIGHT: u32 = 768;
 /// The crowds of a graph.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Crowds {
-    /// The crowds, the outer ones first.
+    /// The crowds, the largest first.
     pub crowds: Vec<Crowd>,
     /// The patterns that their members follow.
     pub patterns: Vec<Pattern>,
@@ -88,6 +91,8 @@ impl Crowds {
                 _ => {}
             }
         }
+        crowds.sort_by_key(|crowd| std::cmp::Reverse(crowd.members.len()));
+        crowds.truncate(MOST_CROWDS);
         let (patterns, places) = patterns.used(crowds.iter().flat_map(|crowd| crowd.patterns.iter().copied()));
         for pattern in crowds.iter_mut().flat_map(|crowd| &mut crowd.patterns) {
             *pattern = places[pattern];

@@ -1,56 +1,65 @@
 //! What kernels read of crowds: a member's numbers, and the cells that list the members.
 
-use chiaro_field::crowd::{Cell, Cells, Crowd, Member};
-use chiaro_field::{Crowds, Graph};
+use chiaro_field::crowd::{Cell, Cells, Crowd, MOST_CROWDS, Member};
+use chiaro_field::{Bounds, Crowds, Graph};
 use chiaro_solid::Material;
 use rustc_hash::FxHashMap;
 
 use crate::emit::linear_from_srgb;
 use crate::tables::single;
 
-/// How many words stand before a member's numbers to say what it looks like.
-pub(crate) const LOOK_WORDS: usize = 8;
-/// The words of a crowd's header.
-pub(crate) const HEADER_WORDS: usize = 12;
+/// The quadruples of a crowd's grid.
+pub(crate) const GRID_ROWS: usize = 3;
 /// How many of an entry's bits say which of the crowd's patterns the member follows; the others say where its numbers are.
 pub(crate) const PATTERN_BITS: u32 = 5;
 /// What stands behind the last entry of a list: no pattern.
 const END: u32 = (1 << PATTERN_BITS) - 1;
 /// `CROWD_BLOCK` of `crowd.wgsl`.
 const BLOCK: u32 = 1 << 31;
+/// How many words stand before a member's numbers to say what it looks like.
+const LOOK_WORDS: usize = 8;
 /// The least room for a crowd's cells in words, and how much there is for each member.
 const LEAST_ROOM: usize = 1 << 18;
 const ROOM_EACH: usize = 160;
-/// The most room for all cells together: 96 MiB, of 128 that every device allows of a storage buffer.
-const MOST_ROOM: usize = 24 << 20;
+/// The most room for all cells together: 80 MiB, of 128 that every device allows of a storage buffer.
+const MOST_ROOM: usize = 20 << 20;
 
-/// The words to upload to [`CROWDS`](crate::bindings::CROWDS) while the live parameters have certain values.
-///
-/// First stands each crowd's header: the least and the greatest corner of its grid, cubes per millimetre, how many cubes
-/// there are along each axis, and where they are.
-pub fn crowd_words(graph: &Graph, crowds: &Crowds, parameters: &[f64]) -> Vec<u32> {
-    let mut words = vec![0; HEADER_WORDS * crowds.crowds.len()];
-    for (index, crowd) in crowds.crowds.iter().enumerate() {
-        let entries = add_rows(&mut words, graph, crowds, crowd, parameters);
-        let cells = Cells::of(graph, crowd, parameters, room(crowds, crowd));
-        let first = add_cells(&mut words, &cells, &entries);
-        let bounds = cells.bounds();
-        let corners = bounds.min.iter().chain(&bounds.max).map(|corner| bits(*corner));
-        let header: Vec<u32> =
-            corners.chain([bits(1.0 / cells.edge)]).chain(cells.counts).chain([first as u32, 0]).collect();
-        words[HEADER_WORDS * index..][..HEADER_WORDS].copy_from_slice(&header);
-    }
-    words
+/// What kernels read of crowds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CrowdData {
+    /// To upload to [`CROWD_GRIDS`](crate::bindings::CROWD_GRIDS), which has room for [`MOST_CROWDS`] of them.
+    pub grids: [[u32; 4]; GRID_ROWS * MOST_CROWDS],
+    /// To upload to [`CROWDS`](crate::bindings::CROWDS); some quadruples.
+    pub words: Vec<u32>,
 }
 
-/// The most words that there may be, whatever values the live parameters have.
-pub fn most_crowd_words(crowds: &Crowds) -> usize {
-    let of_crowd = |crowd: &Crowd| {
-        let numbers: usize = crowd.members.iter().map(|member| member.numbers.len() + LOOK_WORDS).sum();
-        // Cells are divided while there is room: the last divisions may go beyond it, with lists of all members.
-        HEADER_WORDS + numbers + 2 * room(crowds, crowd) + 96 * (crowd.members.len() + 1)
-    };
-    crowds.crowds.iter().map(of_crowd).sum()
+impl CrowdData {
+    /// The data of a scene's crowds while the live parameters have certain values.
+    pub fn of(graph: &Graph, crowds: &Crowds, parameters: &[f64]) -> Self {
+        let mut data = Self { grids: Default::default(), words: Vec::new() };
+        for (crowd, grid) in crowds.crowds.iter().zip(data.grids.chunks_exact_mut(GRID_ROWS)) {
+            let entries = add_rows(&mut data.words, graph, crowds, crowd, parameters);
+            let cells = Cells::of(graph, crowd, parameters, room(crowds, crowd));
+            let first = add_cells(&mut data.words, &cells, &entries) as u32;
+            let Bounds { min, max } = cells.bounds();
+            let ([min_x, min_y, min_z], [max_x, max_y, max_z]) = (min.map(bits), max.map(bits));
+            let [count_x, count_y, count_z] = cells.counts;
+            grid[0] = [min_x, min_y, min_z, bits(1.0 / cells.edge)];
+            grid[1] = [max_x, max_y, max_z, first];
+            grid[2] = [count_x, count_y, count_z, 0];
+        }
+        data
+    }
+
+    /// The most words that there may be, whatever values the live parameters have.
+    pub fn most_words(crowds: &Crowds) -> usize {
+        let of_crowd = |crowd: &Crowd| {
+            let row = |member: &Member| member.numbers.len().next_multiple_of(4) + LOOK_WORDS;
+            // Cells are divided while there is room: the last divisions may go beyond it, with lists of all members.
+            crowd.members.iter().map(row).sum::<usize>() + 2 * room(crowds, crowd) + 96 * (crowd.members.len() + 4)
+        };
+        crowds.crowds.iter().map(of_crowd).sum()
+    }
 }
 
 /// The room for a crowd's cells and lists.
@@ -67,9 +76,10 @@ fn add_rows(words: &mut Vec<u32>, graph: &Graph, crowds: &Crowds, crowd: &Crowd,
         if has_looks {
             words.extend(look(graph, member, parameters));
         }
-        let entry = (words.len() as u32) << PATTERN_BITS | member.pattern as u32;
+        let row = words.len() as u32 / 4;
         words.extend(member.numbers.iter().map(|number| bits(number.value(parameters))));
-        entry
+        words.resize(words.len().next_multiple_of(4), 0);
+        row << PATTERN_BITS | member.pattern as u32
     };
     crowd.members.iter().map(&mut entry).collect()
 }
@@ -108,6 +118,7 @@ fn add_cells(words: &mut Vec<u32>, cells: &Cells, entries: &[u32]) -> usize {
         Cell::Block(cell) => BLOCK | (first as u32 + cell),
     }));
     words.extend(lists);
+    words.resize(words.len().next_multiple_of(4), 0);
     first
 }
 

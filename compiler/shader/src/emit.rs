@@ -235,6 +235,8 @@ struct Scope<'e, 'g> {
     crowd_distances: FxHashMap<usize, Value>,
     /// Where the numbers of a pattern's member are.
     row: Option<Value>,
+    /// The numbers of it, four at a time.
+    row_numbers: FxHashMap<usize, Value>,
     /// Live numbers by slot.
     live: FxHashMap<usize, Value>,
     /// How nodes look, depending on how they look where nobody painted them.
@@ -262,6 +264,7 @@ impl<'e, 'g> Scope<'e, 'g> {
             joints: FxHashMap::default(),
             crowd_distances: FxHashMap::default(),
             row: None,
+            row_numbers: FxHashMap::default(),
             live: FxHashMap::default(),
             appearances: FxHashMap::default(),
             colors: FxHashMap::default(),

@@ -2,7 +2,7 @@
 //!
 //! [`splice`] builds the functions `scene_distance` and `scene_surface` as naga's IR, without a detour through text, and
 //! puts them in the place of a [`Template`]'s stubs: the module goes to the GPU as it is. [`splice_with_crowds`] makes loops of
-//! large unions, which read [`crowd_words`]. [`wgsl`] prints the same
+//! large unions, which read [`CrowdData`]. [`wgsl`] prints the same
 //! functions, below what they call of the vocabulary, for people to read and to take elsewhere. What all templates share
 //! is in [`bindings`].
 
@@ -18,7 +18,7 @@ mod tables;
 mod template;
 mod text;
 
-pub use crowd::{crowd_words, most_crowd_words};
+pub use crowd::CrowdData;
 pub use emit::MAX_NODES;
 pub use shadows::{Shadows, Verified};
 pub use splice::{Shader, splice, splice_with_crowds};

@@ -30,7 +30,7 @@ pub fn splice(graph: &Graph, template: Template) -> Result<Shader, Diagnostic> {
 
 /// Splices a scene into a template with loops over the members of its crowds: the module is the same for scenes whose
 /// members differ by numbers, and stays small however many there are. If there are any crowds it reads
-/// [`crowd_words`](crate::crowd_words) from [`CROWDS`](crate::bindings::CROWDS).
+/// [`CrowdData`](crate::CrowdData).
 pub fn splice_with_crowds(graph: &Graph, crowds: &Crowds, template: Template) -> Result<Shader, Diagnostic> {
     if crowds.is_empty() {
         return splice(graph, template);

@@ -4,10 +4,14 @@
 // it (Barbier et al., "Lipschitz Pruning", 2025). Outside the grid, q is its nearest point: since the grid is convex and holds
 // all members, none is nearer to p than √(|p − q|² + d(q)²), which changes as slowly as the distance does and goes over
 // into it at the grid's sides.
-// Practice: a question takes one to four words to find the list, and a word and a row of numbers for each member in it.
+// Practice: a question takes one to four words to find the list, and a word and some quadruples of numbers for each member in
+// it. Software GPUs take a load's time for each component that is loaded by itself.
 
-/// For each crowd its header; then, wherever that and the cells say, rows of numbers, cells, and lists.
-@group(0) @binding(4) var<storage, read> crowds: array<u32>;
+/// Rows of members' numbers, cells, and lists of entries; where each is, the others say.
+@group(0) @binding(4) var<storage, read> crowds: array<vec4<u32>>;
+/// The grid of each crowd: its least corner, and cubes per millimetre; its greatest corner, and where the cubes are; how many
+/// cubes there are along each axis.
+@group(0) @binding(5) var<uniform> crowd_grids: array<vec4<u32>, 24>;
 
 /// A cell that is divided: the other bits say where its cells are. Without this bit they say where its list is.
 const CROWD_BLOCK: u32 = 0x80000000u;
@@ -15,35 +19,31 @@ const CROWD_BLOCK: u32 = 0x80000000u;
 const CROWD_BLOCK_EDGE: u32 = 4u;
 const CROWD_MOST_DIVISIONS: u32 = 3u;
 
-/// The word at a place.
+/// The word at a place: a cell, or an entry of a list.
 fn crowd_word(place: u32) -> u32 {
-    return crowds[place];
+    return crowds[place >> 2u][place & 3u];
 }
 
-/// The number at a place.
-fn crowd_number(place: u32) -> f32 {
-    return bitcast<f32>(crowds[place]);
+/// Four numbers of a row.
+fn crowd_numbers(row: u32) -> vec4<f32> {
+    return bitcast<vec4<f32>>(crowds[row]);
 }
 
-fn crowd_numbers(place: u32) -> vec3<f32> {
-    return vec3<f32>(crowd_number(place), crowd_number(place + 1u), crowd_number(place + 2u));
+/// The point of a grid that is nearest to p.
+fn crowd_nearest(p: vec3<f32>, grid: u32) -> vec3<f32> {
+    return clamp(p, bitcast<vec3<f32>>(crowd_grids[grid].xyz), bitcast<vec3<f32>>(crowd_grids[grid + 1u].xyz));
 }
 
-/// The point of a crowd's grid that is nearest to p.
-fn crowd_nearest(p: vec3<f32>, header: u32) -> vec3<f32> {
-    return clamp(p, crowd_numbers(header), crowd_numbers(header + 3u));
-}
-
-/// Where the list of the cell is that a point of the grid is in.
-fn crowd_list(q: vec3<f32>, header: u32) -> u32 {
-    var local = (q - crowd_numbers(header)) * crowd_number(header + 6u);
-    let counts = vec3<u32>(crowds[header + 7u], crowds[header + 8u], crowds[header + 9u]);
-    var cube = min(vec3<u32>(max(local, vec3<f32>(0.0))), counts - 1u);
-    var cell = crowds[crowds[header + 10u] + (cube.z * counts.y + cube.y) * counts.x + cube.x];
+/// Where the list of the cell is that a point of a grid is in.
+fn crowd_list(q: vec3<f32>, grid: u32) -> u32 {
+    var local = (q - bitcast<vec3<f32>>(crowd_grids[grid].xyz)) * bitcast<f32>(crowd_grids[grid].w);
+    let counts = crowd_grids[grid + 2u];
+    var cube = min(vec3<u32>(max(local, vec3<f32>(0.0))), counts.xyz - 1u);
+    var cell = crowd_word(crowd_grids[grid + 1u].w + (cube.z * counts.y + cube.y) * counts.x + cube.x);
     for (var k = 0u; k < CROWD_MOST_DIVISIONS && (cell & CROWD_BLOCK) > 0u; k++) {
         local = (local - vec3<f32>(cube)) * f32(CROWD_BLOCK_EDGE);
         cube = min(vec3<u32>(max(local, vec3<f32>(0.0))), vec3<u32>(CROWD_BLOCK_EDGE - 1u));
-        cell = crowds[(cell & ~CROWD_BLOCK) + (cube.z * CROWD_BLOCK_EDGE + cube.y) * CROWD_BLOCK_EDGE + cube.x];
+        cell = crowd_word((cell & ~CROWD_BLOCK) + (cube.z * CROWD_BLOCK_EDGE + cube.y) * CROWD_BLOCK_EDGE + cube.x);
     }
     return cell;
 }
@@ -56,10 +56,9 @@ fn crowd_beyond(p: vec3<f32>, q: vec3<f32>, distance: f32) -> f32 {
 
 /// The look that stands before a member's numbers, or this one if nobody painted the member.
 fn crowd_look(row: u32, unpainted: Surface) -> Surface {
-    let color = vec4<f32>(crowd_numbers(row - 8u), crowd_number(row - 5u));
-    let finish = vec4<f32>(crowd_numbers(row - 4u), 0.0);
-    if crowd_number(row - 1u) > 0.5 {
+    let finish = crowd_numbers(row - 1u);
+    if finish.w > 0.5 {
         return unpainted;
     }
-    return Surface(color, finish);
+    return Surface(crowd_numbers(row - 2u), finish);
 }

@@ -3,7 +3,7 @@
 use std::sync::{Mutex, PoisonError};
 
 use chiaro_field::{Crowds, Graph};
-use chiaro_shader::{crowd_words, most_crowd_words};
+use chiaro_shader::CrowdData;
 use wgpu::Buffer;
 
 use crate::error::{Error, Result};
@@ -15,7 +15,8 @@ use crate::model::check_parameters;
 #[derive(Debug)]
 pub(crate) struct CrowdTable {
     pub(crate) crowds: Crowds,
-    pub(crate) buffer: Buffer,
+    pub(crate) grids: Buffer,
+    pub(crate) words: Buffer,
     /// What it is made of again when a live number moves, if any tells members apart.
     moving: Option<Moving>,
 }
@@ -35,13 +36,16 @@ impl CrowdTable {
             return Ok(None);
         }
         check_parameters(&graph.slots, parameters)?;
-        let words = crowd_words(graph, &crowds, parameters);
+        let data = CrowdData::of(graph, &crowds, parameters);
         let is_moving = crowds.live_numbers(graph).next().is_some();
-        let room = if is_moving { most_crowd_words(&crowds).max(words.len()) } else { words.len() };
-        let buffer = buffer(gpu, "many shapes", Slot::Read, 4 * room as u64)?;
-        gpu.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&words));
+        let present = data.words.len();
+        let room = if is_moving { CrowdData::most_words(&crowds).max(present) } else { present };
         let moving = is_moving.then(|| Moving { graph: graph.clone(), parameters: Mutex::new(parameters.to_vec()) });
-        Ok(Some(Self { crowds, buffer, moving }))
+        let grids = buffer(gpu, "grids", Slot::Uniform, size_of_val(&data.grids) as u64)?;
+        let words = buffer(gpu, "many shapes", Slot::Read, 4 * room as u64)?;
+        let table = Self { crowds, grids, words, moving };
+        table.write(gpu, &data)?;
+        Ok(Some(table))
     }
 
     /// Moves the live numbers to these values.
@@ -52,13 +56,18 @@ impl CrowdTable {
         if *present == parameters {
             return Ok(());
         }
-        let words = crowd_words(graph, &self.crowds, parameters);
-        let (needed, limit) = (4 * words.len() as u64, self.buffer.size());
+        self.write(gpu, &CrowdData::of(graph, &self.crowds, parameters))?;
+        *present = parameters.to_vec();
+        Ok(())
+    }
+
+    fn write(&self, gpu: &Gpu, data: &CrowdData) -> Result<()> {
+        let (needed, limit) = (4 * data.words.len() as u64, self.words.size());
         if needed > limit {
             return Err(Error::SceneSize { what: "many shapes", needed, limit });
         }
-        gpu.queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(&words));
-        *present = parameters.to_vec();
+        gpu.queue.write_buffer(&self.grids, 0, bytemuck::cast_slice(&data.grids));
+        gpu.queue.write_buffer(&self.words, 0, bytemuck::cast_slice(&data.words));
         Ok(())
     }
 }

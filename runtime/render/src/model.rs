@@ -178,6 +178,7 @@ impl Program {
         }
         if source.crowds.is_some() {
             shared.push((bindings::CROWDS.binding, Slot::Read));
+            shared.push((bindings::CROWD_GRIDS.binding, Slot::Uniform));
         }
         let mut gloss = None;
         if source.module.global_variables.iter().any(|(_, variable)| variable.binding == Some(bindings::GLOSS)) {
@@ -211,7 +212,8 @@ impl Program {
             (bindings::VIEW.binding, view),
             (bindings::LIVE.binding, self.live_buffer.as_ref()),
             (bindings::TABLES.binding, self.tables.as_ref()),
-            (bindings::CROWDS.binding, self.crowds.as_ref().map(|crowds| &crowds.buffer)),
+            (bindings::CROWDS.binding, self.crowds.as_ref().map(|crowds| &crowds.words)),
+            (bindings::CROWD_GRIDS.binding, self.crowds.as_ref().map(|crowds| &crowds.grids)),
             (bindings::GLOSS.binding, self.gloss.as_ref()),
         ];
         let resources: Vec<(u32, BindingResource)> =

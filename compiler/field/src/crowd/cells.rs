@@ -193,7 +193,8 @@ impl<'a> Growing<'a> {
         let around = reaches.iter().fold(Bounds::EMPTY, |all, reach| all.union(&reach.bounds));
         let around = around.inflate(MARGIN * around.diagonal() + f64::MIN_POSITIVE);
         let size = around.size();
-        let count = (2 * reaches.len()).clamp(LEAST_CELLS, MOST_CELLS);
+        let mult: usize = std::env::var("MULT").ok().and_then(|v| v.parse().ok()).unwrap_or(2);
+        let count = (mult * reaches.len()).clamp(LEAST_CELLS, MOST_CELLS);
         let edge = edge_for(size, count);
         let counts = size.map(|size| ((size / edge).ceil() as u32).max(1));
         let farthest = around.min.iter().chain(&around.max).fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -285,7 +286,8 @@ impl<'a> Growing<'a> {
     /// Gives a cell its list, and opens it if that is long.
     fn place(&mut self, cell: usize, cube: Cube, pruned: Pruned, open: &mut Vec<Open>) {
         self.cells.cells[cell] = self.list(&pruned.list);
-        if pruned.list.len() > if pruned.has_surface { FEW } else { FEW_AWAY } {
+        let tune = |name: &str, or: usize| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(or);
+        if pruned.list.len() > if pruned.has_surface { tune("FEW", FEW) } else { tune("AWAY", FEW_AWAY) } {
             open.push(Open { cell, cube, list: pruned.list });
         }
     }

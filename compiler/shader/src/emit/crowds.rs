@@ -18,7 +18,7 @@ use super::shapes::FAR;
 use super::surface::Look;
 use super::{Emission, Scope};
 use crate::build::Value;
-use crate::crowd::{HEADER_WORDS, PATTERN_BITS};
+use crate::crowd::{GRID_ROWS, PATTERN_BITS};
 
 /// The crowds of a scene that is being emitted.
 pub(super) struct CrowdParts<'g> {
@@ -187,10 +187,10 @@ impl Scope<'_, '_> {
     fn nearest(&mut self, crowd: usize, wants_entry: bool) -> Nearest {
         let (index, float) = (self.emission.types.index, self.emission.types.float);
         let point = self.builder.argument();
-        let header = self.word((HEADER_WORDS * crowd) as u32);
-        let at = self.call_named("crowd_nearest", &[point, header]);
+        let grid = self.word((GRID_ROWS * crowd) as u32);
+        let at = self.call_named("crowd_nearest", &[point, grid]);
         let at = self.name(at, "at");
-        let list = self.call_named("crowd_list", &[at, header]);
+        let list = self.call_named("crowd_list", &[at, grid]);
         let first = self.call_named("crowd_word", &[list]);
         let far = self.builder.literal(FAR);
         let place = self.variable("place", index, list);

@@ -106,8 +106,17 @@ impl Scope<'_, '_> {
 
     /// A number of a crowd's member.
     fn number_of_row(&mut self, row: Value, slot: usize) -> Value {
-        let offset = self.builder.add(Expression::Literal(Literal::U32(slot as u32)));
-        let place = self.builder.binary(BinaryOperator::Add, row, offset);
-        self.call_named("crowd_number", &[place])
+        let quadruple = slot / 4;
+        let numbers = match self.row_numbers.get(&quadruple) {
+            Some(&known) => known,
+            None => {
+                let offset = self.builder.add(Expression::Literal(Literal::U32(quadruple as u32)));
+                let place = self.builder.binary(BinaryOperator::Add, row, offset);
+                let numbers = self.call_named("crowd_numbers", &[place]);
+                self.row_numbers.insert(quadruple, numbers);
+                numbers
+            }
+        };
+        self.builder.component(numbers, slot as u32 % 4)
     }
 }
