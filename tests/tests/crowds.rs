@@ -77,10 +77,8 @@ fn check_distances(scene: &Scene, parameters: &[f64], count: usize) {
             assert!((found - value).abs() <= rounding, "{found} instead of {value} at {point:?}");
         } else {
             assert!(found > 0.0 && found <= value + rounding, "{found}, no bound of {value}, at {point:?}");
-            assert!(
-                found >= bounds.distance(*point) - rounding,
-                "{found} is less than the way to the box at {point:?}"
-            );
+            // On the way to the grid and from there, distances grow by no more than √2 times what stands for both.
+            assert!(2f64.sqrt() * found >= value - rounding, "{found} is far less than {value} at {point:?}");
         }
     }
 }

@@ -20,7 +20,7 @@ const BLOCK: u32 = 1 << 31;
 const LOOK_WORDS: usize = 8;
 /// The least room for a crowd's cells in words, and how much there is for each member.
 const LEAST_ROOM: usize = 1 << 18;
-const ROOM_EACH: usize = 160;
+const ROOM_EACH: usize = 512;
 /// The most room for all cells together: 80 MiB, of 128 that every device allows of a storage buffer.
 const MOST_ROOM: usize = 20 << 20;
 

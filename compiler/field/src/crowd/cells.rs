@@ -193,8 +193,7 @@ impl<'a> Growing<'a> {
         let around = reaches.iter().fold(Bounds::EMPTY, |all, reach| all.union(&reach.bounds));
         let around = around.inflate(MARGIN * around.diagonal() + f64::MIN_POSITIVE);
         let size = around.size();
-        let mult: usize = std::env::var("MULT").ok().and_then(|v| v.parse().ok()).unwrap_or(2);
-        let count = (mult * reaches.len()).clamp(LEAST_CELLS, MOST_CELLS);
+        let count = (2 * reaches.len()).clamp(LEAST_CELLS, MOST_CELLS);
         let edge = edge_for(size, count);
         let counts = size.map(|size| ((size / edge).ceil() as u32).max(1));
         let farthest = around.min.iter().chain(&around.max).fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -209,6 +208,8 @@ impl<'a> Growing<'a> {
         let all = (0..self.reaches.len() as u32).collect();
         self.fill([0; 3], self.cells.counts, all, &mut open);
         for _ in 0..MOST_DIVISIONS {
+            // Where the room ends, the longest lists are shortened.
+            open.sort_by_key(|open| std::cmp::Reverse(open.list.len()));
             for cell in std::mem::take(&mut open) {
                 if self.used() < self.room {
                     self.divide(cell, &mut open);
@@ -286,8 +287,7 @@ impl<'a> Growing<'a> {
     /// Gives a cell its list, and opens it if that is long.
     fn place(&mut self, cell: usize, cube: Cube, pruned: Pruned, open: &mut Vec<Open>) {
         self.cells.cells[cell] = self.list(&pruned.list);
-        let tune = |name: &str, or: usize| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(or);
-        if pruned.list.len() > if pruned.has_surface { tune("FEW", FEW) } else { tune("AWAY", FEW_AWAY) } {
+        if pruned.list.len() > if pruned.has_surface { FEW } else { FEW_AWAY } {
             open.push(Open { cell, cube, list: pruned.list });
         }
     }
