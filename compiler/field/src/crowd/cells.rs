@@ -136,12 +136,12 @@ impl Reach {
                 (bounds.min[axis] - high).max(low - bounds.max[axis]).max(0.0)
             })
         };
-        if self.is_distance {
-            return gaps(&self.bounds).iter().map(|gap| gap * gap).sum::<f64>().sqrt();
-        }
-        let gap = gaps(&self.all_bounds).into_iter().fold(0.0, f64::max);
-        // A value of zero or less is found in the box alone; outside, one of δ not beyond growth · δ.
-        if gap > 0.0 && self.growth.is_finite() { gap / self.growth.max(f64::MIN_POSITIVE) } else { f64::NEG_INFINITY }
+        let (gap, growth) = match self.is_distance {
+            true => (gaps(&self.bounds).iter().map(|gap| gap * gap).sum::<f64>().sqrt(), 1.0),
+            false => (gaps(&self.all_bounds).into_iter().fold(0.0, f64::max), self.growth),
+        };
+        // A value of zero or less is found in the box alone, of any depth; outside, one of δ not beyond growth · δ.
+        if gap > 0.0 && growth.is_finite() { gap / growth.max(f64::MIN_POSITIVE) } else { f64::NEG_INFINITY }
     }
 }
 
