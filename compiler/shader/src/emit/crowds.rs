@@ -4,7 +4,7 @@
 //! code of a branch under a mask, but leave loops after one round. The code depends on the patterns alone: scenes whose
 //! members differ by numbers have the same.
 
-use std::mem::replace;
+use std::mem::{replace, take};
 
 use chiaro_field::crowd::{Crowd, Pattern};
 use chiaro_field::{Crowds, Graph, NodeId};
@@ -149,8 +149,8 @@ impl<'g> Emission<'g> {
         let parts = replace(&mut self.parts, Parts::new(self.graph));
         let paints = replace(&mut self.paints, Paints::new(self.graph));
         let slots = replace(&mut self.slots, slots(self.graph));
-        let node_names = replace(&mut self.node_names, FxHashMap::default());
-        let point_names = replace(&mut self.point_names, FxHashMap::default());
+        let node_names = take(&mut self.node_names);
+        let point_names = take(&mut self.point_names);
         let is_in_pattern = replace(&mut self.is_in_pattern, true);
         let emitted = emit(self);
         (self.graph, self.parts, self.paints, self.slots) = (graph, parts, paints, slots);
