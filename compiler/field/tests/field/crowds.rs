@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use chiaro_field::crowd::{Cell, Cells, Crowd};
-use chiaro_field::{Bounds, Crowds, Evaluator, Graph, lower};
+use chiaro_field::{Bounds, Crowds, Evaluator, lower};
 use chiaro_solid::{Boolean, Scalar, Solid};
 
 use crate::trees::{self, Random, Trees};
