@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Installs what Chiaro needs beside Rust on a Debian or Ubuntu machine: a Vulkan loader and a driver that works without
 # a graphics card, and the libraries that a window on X11 loads. With --tests, also what the test suite asks: OpenSCAD, for
-# its example scenes, and an X server without a screen.
+# its example scenes, compilers of shading languages that aren't ours, and an X server without a screen.
 set -euo pipefail
 
 packages=(libvulkan1 mesa-vulkan-drivers libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0)
 if [ "${1:-}" = "--tests" ]; then
-    packages+=(openscad xvfb)
+    packages+=(glslang-tools openscad spirv-tools xvfb)
 fi
 
 missing=()

@@ -50,6 +50,8 @@ pub(crate) enum Command {
     Watch(Watch),
     /// Draw a scene into a picture.
     Render(Render),
+    /// Write a scene for other programs: as shader code, as an engine's files, or as a triangle mesh.
+    Export(Export),
     /// Compile a scene and report what is wrong with it.
     Check(Check),
     /// Format scenes: their indentation and spaces, and nothing else.
@@ -135,6 +137,10 @@ pub(crate) struct Render {
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..=65_536))]
     pub(crate) samples: u32,
 
+    /// Draw as exported shaders draw it: at once, with four rays a pixel, and no samples.
+    #[arg(long, conflicts_with_all = ["samples", "shadows", "shadow_cells"])]
+    pub(crate) one_pass: bool,
+
     /// From where to look: front, back, left, right, top, bottom, diagonal; or OpenSCAD's camera, RX,RY,RZ in degrees
     /// (framed from the bounds) or TX,TY,TZ,RX,RY,RZ,DISTANCE. Otherwise the scene's own view.
     #[arg(long, value_name = "VIEW", allow_hyphen_values = true)]
@@ -160,6 +166,89 @@ pub(crate) struct Render {
 
     #[command(flatten)]
     pub(crate) adapter: AdapterArguments,
+}
+
+/// Arguments of `export`.
+#[derive(Debug, Args)]
+pub(crate) struct Export {
+    #[command(flatten)]
+    pub(crate) scene: SceneArguments,
+
+    /// The file, or the folder of targets that are several files. Its ending says the format, if --to does not.
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: PathBuf,
+
+    /// What to write.
+    #[arg(long, value_name = "TARGET")]
+    pub(crate) to: Option<Target>,
+
+    /// Of shading languages, write a whole program that draws the scene, in the place of functions to call.
+    #[arg(long)]
+    pub(crate) program: bool,
+
+    /// Write over files that are there already.
+    #[arg(long)]
+    pub(crate) force: bool,
+
+    /// How far a mesh may be off the surface, in millimetres; a two-thousandth of the scene's diagonal by default.
+    #[arg(long, value_name = "MM", value_parser = positive)]
+    pub(crate) tolerance: Option<f64>,
+
+    /// Into how many cells the longest side is divided to look for the surface: what is thinner than a cell may be missed.
+    /// Chosen by the tolerance if nothing is said.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
+    pub(crate) resolution: Option<u32>,
+
+    #[command(flatten)]
+    pub(crate) adapter: AdapterArguments,
+}
+
+/// What `export` can write.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Target {
+    /// Triangles without materials, binary.
+    Stl,
+    /// A mesh with its materials in an .mtl file beside it.
+    Obj,
+    /// A mesh with vertex colours, binary.
+    Ply,
+    /// A mesh with colours, for printing.
+    #[value(name = "3mf")]
+    ThreeMf,
+    /// A mesh with materials for physically based shading; its data in a .bin file beside it.
+    Gltf,
+    /// The same in one file.
+    Glb,
+    /// Functions in WGSL; with --program a vertex and a fragment shader.
+    Wgsl,
+    /// Functions in GLSL 330; with --program a fragment shader.
+    #[value(name = "glsl-330", alias = "glsl")]
+    Glsl330,
+    /// The same in GLSL 450.
+    #[value(name = "glsl-450")]
+    Glsl450,
+    /// The same in GLSL ES 300, for WebGL 2 and phones.
+    #[value(name = "glsl-es-300")]
+    GlslEs300,
+    /// Functions in HLSL, shader model 5 and later; with --program a vertex and a pixel shader.
+    Hlsl,
+    /// Functions in the Metal shading language; with --program a vertex and a fragment function.
+    #[value(alias = "metal")]
+    Msl,
+    /// A vertex and a fragment shader in SPIR-V.
+    #[value(name = "spirv", alias = "spir-v")]
+    SpirV,
+    /// The Image pass of a shader on shadertoy.com.
+    Shadertoy,
+    /// A fragment shader for glslViewer.
+    #[value(name = "glslviewer")]
+    GlslViewer,
+    /// A page that draws the scene with WebGL 2.
+    #[value(name = "webgl", alias = "html")]
+    WebGl,
+    /// A page that draws the scene with WebGPU.
+    #[value(name = "webgpu")]
+    WebGpu,
 }
 
 /// Which graphics adapter to use.
@@ -258,6 +347,11 @@ pub(crate) struct Compare {
     /// 0.25 and rectangles of 0.6x0.3, with 35 and 100 random rays.
     #[arg(long)]
     pub(crate) figure4: bool,
+
+    /// Compare pictures in one pass, as exported shaders draw them, with converged ones of as many samples, and print how alike
+    /// they are. Nothing is written.
+    #[arg(long, value_name = "SAMPLES", conflicts_with_all = ["suite", "figure4", "output"], requires = "scenes")]
+    pub(crate) one_pass: Option<u32>,
 
     /// Of the suite, compare on these scenes only: primitives,fence.
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]

@@ -26,6 +26,7 @@ fn main() -> ExitCode {
         #[cfg(feature = "editor")]
         Command::Watch(watch) => commands::watch::run(watch),
         Command::Render(render) => commands::render::run(render, &arguments.global),
+        Command::Export(export) => commands::export::run(export, &arguments.global),
         Command::Check(check) => commands::check::run(check, &arguments.global),
         Command::Fmt(fmt) => commands::fmt::run(fmt, &arguments.global),
         Command::Dump(dump) => commands::dump::run(dump, &arguments.global),

@@ -359,3 +359,76 @@ fn the_light_suite_comes_with_the_command() {
     let refused = folder.run(&["compare", "--suite", "--only", "nowhere"]);
     assert!(stderr(&refused).contains("no scene nowhere"), "{}", stderr(&refused));
 }
+
+const TWO_COLOURS: &str = "color([1, 0, 0], metallic = 1) cube(10); color(\"blue\") translate([20, 0, 0]) sphere(5);";
+
+#[test]
+fn export_writes_every_mesh_format() {
+    let folder = Folder::new().with("a.csg", TWO_COLOURS);
+    for name in ["a.stl", "a.obj", "a.ply", "a.3mf", "a.gltf", "a.glb"] {
+        let output = succeeded(folder.run(&["export", "a.csg", "-o", name, "--resolution", "40"]));
+        assert!(stderr(&output).contains("triangles"), "{}", stderr(&output));
+    }
+    let bytes = |name: &str| fs::read(folder.path(name)).expect(name);
+    let text = |name: &str| String::from_utf8(bytes(name)).expect(name);
+
+    let stl = bytes("a.stl");
+    let triangles = u32::from_le_bytes([stl[80], stl[81], stl[82], stl[83]]) as usize;
+    assert!(triangles > 100 && stl.len() == 84 + 50 * triangles);
+
+    assert!(text("a.obj").contains("mtllib a.mtl\n"));
+    assert_eq!(text("a.obj").lines().filter(|line| line.starts_with("f ")).count(), triangles);
+    let materials = text("a.mtl");
+    assert!(materials.contains("Kd 1.0000 0.0000 0.0000") && materials.contains("Kd 0.0000 0.0000 1.0000"));
+
+    assert!(bytes("a.ply").starts_with(b"ply\nformat binary_little_endian 1.0\n"));
+    assert!(bytes("a.3mf").starts_with(b"PK"));
+
+    let gltf: Value = serde_json::from_str(&text("a.gltf")).expect("JSON");
+    assert_eq!(gltf["buffers"][0]["uri"], "a.bin");
+    assert_eq!(gltf["buffers"][0]["byteLength"], bytes("a.bin").len());
+    let red = &gltf["materials"][0]["pbrMetallicRoughness"];
+    assert_eq!((&red["baseColorFactor"][0], &red["metallicFactor"]), (&1.0.into(), &1.0.into()));
+    // In metres, y upwards: the box reaches from z = -0.01 to 0.
+    let least = &gltf["accessors"][0]["min"];
+    assert!((least[2].as_f64().unwrap() + 0.01).abs() < 1e-6, "{least}");
+
+    let glb = bytes("a.glb");
+    assert!(glb.starts_with(b"glTF\x02\0\0\0"));
+    assert_eq!(u32::from_le_bytes([glb[8], glb[9], glb[10], glb[11]]) as usize, glb.len());
+}
+
+#[test]
+fn export_writes_over_files_only_when_forced() {
+    let folder = Folder::new().with("a.csg", "sphere(5);").with("a.mtl", "precious");
+    let export =
+        |extra: &[&str]| folder.run(&[&["export", "a.csg", "-o", "a.obj", "--resolution", "16"], extra].concat());
+    let output = export(&[]);
+    assert!(!output.status.success() && stderr(&output).contains("--force"), "{}", stderr(&output));
+    assert!(!folder.path("a.obj").exists());
+    assert_eq!(fs::read(folder.path("a.mtl")).unwrap(), b"precious");
+    succeeded(export(&["--force"]));
+    assert!(fs::read(folder.path("a.mtl")).unwrap() != b"precious");
+}
+
+#[test]
+fn what_cannot_be_exported_says_why_and_writes_nothing() {
+    let folder = Folder::new();
+    for (scene, extra, reason) in [
+        ("group();", &[][..], "empty"),
+        ("circle(5);", &[], "linear_extrude"),
+        ("half_space(normal = [0, 0, 1]);", &[], "no end along x, y, z"),
+        ("gyroid(period = 5, thickness = 1);", &[], "no end"),
+        ("sphere(10);", &["--resolution", "900000"], "too many"),
+        ("cube([100, 100, 0.01]);", &["--resolution", "10"], "as thick as a cell"),
+        ("cube(;", &[], "expected"),
+    ] {
+        fs::write(folder.path("a.csg"), scene).unwrap();
+        let output = folder.run(&[&["export", "a.csg", "-o", "a.stl"], extra].concat());
+        assert!(!output.status.success(), "{scene}");
+        assert!(stderr(&output).contains(reason), "{scene}: {}", stderr(&output));
+        assert!(!folder.path("a.stl").exists(), "{scene}");
+    }
+    let output = folder.run(&["export", "a.csg", "-o", "a.xyz"]);
+    assert!(!output.status.success() && stderr(&output).contains(".stl"), "{}", stderr(&output));
+}

@@ -6,6 +6,7 @@
 //!   to the text.
 //! * [`crowd`] finds the large unions of which little matters at any one place, and what matters where.
 //! * [`Evaluator`] answers distances and gradients; [`Graph::bounds_at`] boxes at certain values of live numbers.
+//! * [`Painter`] answers how the surface looks; [`paints`] tells who painted what.
 //! * [`print()`] shows a graph as text.
 //!
 //! Inside, `build` keeps graphs free of duplicates, `extent` measures where nodes are, `walk` visits what they refer
@@ -22,6 +23,8 @@ mod hull;
 pub mod lineage;
 mod lower;
 mod matrix;
+mod painter;
+pub mod paints;
 mod print;
 mod walk;
 
@@ -32,4 +35,5 @@ pub use facts::Facts;
 pub use graph::{Graph, MaterialId, Node, NodeId, Operation, Point, PointId};
 pub use lineage::{Lineage, Step, StepId};
 pub use lower::{lower, lower_with_lineage};
+pub use painter::{Look, Painter, linear_from_srgb};
 pub use print::print;

@@ -5,8 +5,8 @@ use chiaro_field::{Bounds, Crowds, Graph};
 use chiaro_solid::Material;
 use rustc_hash::FxHashMap;
 
-use crate::emit::linear_from_srgb;
 use crate::tables::single;
+use chiaro_field::linear_from_srgb;
 
 /// The quadruples of a crowd's grid.
 pub(crate) const GRID_ROWS: usize = 3;

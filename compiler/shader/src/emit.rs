@@ -9,13 +9,13 @@ mod blend;
 mod crowds;
 mod guards;
 mod numbers;
-mod paints;
 mod parts;
 mod pieces;
 mod points;
 mod shapes;
 mod surface;
 
+use chiaro_field::paints::Paints;
 use chiaro_field::{Crowds, Graph, NodeId, PointId};
 use chiaro_solid::Scalar;
 use chiaro_syntax::{Diagnostic, Span};
@@ -28,8 +28,6 @@ use crate::link::Linker;
 use crate::names::Names;
 use crate::tables::{Tables, TablesBuilder};
 use crate::template::Parsed;
-
-pub(crate) use surface::linear_from_srgb;
 
 /// The most nodes of a scene that may become straight-line code, which drivers take long to compile. Members of crowds don't
 /// count.
@@ -56,10 +54,17 @@ pub(crate) struct OwnFunction {
     pub(crate) comment: &'static str,
 }
 
+/// What a value that comes from an expression is to be called, if anything is known about that.
+type ToldNames<'g> = &'g dyn Fn(Span) -> Option<String>;
+
 /// Emits `scene_distance` and `scene_surface` in the place of a template's stubs, all of it as straight-line code.
-pub(crate) fn emit(graph: &Graph, template: &'static Parsed) -> Result<Emitted, Diagnostic> {
+pub(crate) fn emit<'g>(
+    graph: &'g Graph,
+    template: &'static Parsed,
+    told: ToldNames<'g>,
+) -> Result<Emitted, Diagnostic> {
     static NONE: Crowds = Crowds { crowds: Vec::new(), patterns: Vec::new() };
-    emit_with_crowds(graph, &NONE, template)
+    emit_all(graph, &NONE, template, told)
 }
 
 /// The same with loops over the members of these crowds; if there are any, of a template that knows of crowds.
@@ -68,8 +73,17 @@ pub(crate) fn emit_with_crowds(
     crowds: &Crowds,
     template: &'static Parsed,
 ) -> Result<Emitted, Diagnostic> {
+    emit_all(graph, crowds, template, &|_| None)
+}
+
+fn emit_all<'g>(
+    graph: &'g Graph,
+    crowds: &'g Crowds,
+    template: &'static Parsed,
+    told: ToldNames<'g>,
+) -> Result<Emitted, Diagnostic> {
     check_size(graph, crowds)?;
-    let mut emission = Emission::new(graph, crowds, template);
+    let mut emission = Emission::new(graph, crowds, template, told);
     emission.scene_distance();
     emission.scene_surface();
     emission.finish()
@@ -119,6 +133,7 @@ fn check_size(graph: &Graph, crowds: &Crowds) -> Result<(), Diagnostic> {
 /// What the functions of one module share.
 struct Emission<'g> {
     graph: &'g Graph,
+    told: ToldNames<'g>,
     linker: Linker,
     types: Types,
     names: Names,
@@ -129,7 +144,7 @@ struct Emission<'g> {
     /// The uniform of live numbers.
     live_variable: Option<Handle<GlobalVariable>>,
     parts: parts::Parts,
-    paints: paints::Paints,
+    paints: Paints,
     crowds: crowds::CrowdParts<'g>,
     /// Whether the graph is a pattern's.
     is_in_pattern: bool,
@@ -149,13 +164,14 @@ struct Emission<'g> {
 }
 
 impl<'g> Emission<'g> {
-    fn new(graph: &'g Graph, crowds: &'g Crowds, template: &'static Parsed) -> Self {
+    fn new(graph: &'g Graph, crowds: &'g Crowds, template: &'static Parsed, told: ToldNames<'g>) -> Self {
         let stub = &template.module.functions[template.functions["scene_surface"]];
         let Some(surface) = &stub.result else { unreachable!("scene.wgsl declares the result") };
         let mut linker = Linker::new(template);
         let types = Types::of(linker.module());
         Self {
             graph,
+            told,
             linker,
             types,
             names: Names::new(template.functions.keys().cloned()),
@@ -164,7 +180,7 @@ impl<'g> Emission<'g> {
             slots: numbers::slots(graph),
             live_variable: None,
             parts: parts::Parts::new(graph),
-            paints: paints::Paints::new(graph),
+            paints: Paints::new(graph),
             crowds: crowds::CrowdParts::new(crowds),
             is_in_pattern: false,
             surface_type: surface.ty,
@@ -295,8 +311,13 @@ impl<'e, 'g> Scope<'e, 'g> {
 
     /// Names a node's value as everywhere.
     fn name_node(&mut self, value: Value, node: NodeId, prefix: &'static str) -> Value {
-        let Emission { names, node_names, .. } = &mut *self.emission;
-        let name = node_names.entry(node).or_insert_with(|| names.next(prefix)).clone();
+        let Emission { graph, told, names, node_names, .. } = &mut *self.emission;
+        let told = || graph.spans.get(node.0 as usize).and_then(|span| told(*span));
+        let name = || match told() {
+            Some(own) => names.next(&format!("{own}_{prefix}")),
+            None => names.next(prefix),
+        };
+        let name = node_names.entry(node).or_insert_with(name).clone();
         self.builder.name(value, name)
     }
 

@@ -8,7 +8,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// writers would add a suffix to.
 pub(crate) struct Names {
     taken: FxHashSet<String>,
-    counts: FxHashMap<&'static str, usize>,
+    counts: FxHashMap<String, usize>,
 }
 
 impl Names {
@@ -18,8 +18,11 @@ impl Names {
     }
 
     /// The next name with this prefix: `box_a`, `box_b`, …
-    pub(crate) fn next(&mut self, prefix: &'static str) -> String {
-        let count = self.counts.entry(prefix).or_default();
+    pub(crate) fn next(&mut self, prefix: &str) -> String {
+        let count = match self.counts.get_mut(prefix) {
+            Some(count) => count,
+            None => self.counts.entry(prefix.to_owned()).or_default(),
+        };
         loop {
             let name = format!("{prefix}_{}", letters(*count));
             *count += 1;

@@ -5,6 +5,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use naga::{Function, Handle, Module};
 use rustc_hash::FxHashMap;
 
+use crate::one_pass;
 use crate::shadows::{Shadows, Verified};
 
 /// A WGSL file that scenes are spliced into.
@@ -24,6 +25,8 @@ pub enum Template {
     Verified(Verified),
     /// Entry `shade`: adds a light to the picture. It asks no scene.
     Shade,
+    /// Entry `draw`: the whole picture in one pass, as exported shaders draw it.
+    OnePass,
     /// What views other than pictures are made of.
     Inspect(Inspect),
 }
@@ -42,7 +45,14 @@ pub enum Inspect {
 impl Template {
     /// All of them.
     pub fn all() -> impl Iterator<Item = Template> {
-        let fixed = [Template::Library, Template::Distances, Template::Prepass, Template::Trace, Template::Shade];
+        let fixed = [
+            Template::Library,
+            Template::Distances,
+            Template::Prepass,
+            Template::Trace,
+            Template::Shade,
+            Template::OnePass,
+        ];
         let verified = [Verified::Choose, Verified::Cells, Verified::Settle].map(Template::Verified);
         let inspect = [Inspect::Surface, Inspect::Section, Inspect::Materials].map(Template::Inspect);
         fixed.into_iter().chain(Shadows::ALL.into_iter().map(Template::Shadows)).chain(verified).chain(inspect)
@@ -57,19 +67,29 @@ impl Template {
         match self {
             Template::Library => vec![include_str!("../templates/library.wgsl")],
             Template::Distances => vec![include_str!("../templates/distances.wgsl")],
-            Template::Prepass => {
-                vec![include_str!("../templates/trace_view.wgsl"), include_str!("../templates/prepass.wgsl")]
-            }
+            Template::Prepass => [&VIEW[..], &[include_str!("../templates/prepass.wgsl")]].concat(),
             Template::Trace => {
-                let own =
-                    [MEET, include_str!("../templates/trace_lights.wgsl"), include_str!("../templates/trace.wgsl")];
-                [&PICTURE[..], &SURFACES, &LIGHTS, &own].concat()
+                let own = [
+                    MEET,
+                    include_str!("../templates/trace_lights.wgsl"),
+                    include_str!("../templates/trace_scatter.wgsl"),
+                    SAMPLING,
+                    include_str!("../templates/trace.wgsl"),
+                ];
+                [&VIEW[..], &PICTURE, &SURFACES, &[GLOSS], &LIGHTS, &own].concat()
             }
-            Template::Shadows(method) => [&PICTURE[..], &LIGHTS, method.files()].concat(),
-            Template::Verified(pass) => [&PICTURE[..], &LIGHTS, pass.files()].concat(),
+            Template::Shadows(method) => [&VIEW[..], &PICTURE, &LIGHTS, &[SAMPLING], method.files()].concat(),
+            Template::Verified(pass) => [&VIEW[..], &PICTURE, &LIGHTS, pass.files()].concat(),
             Template::Shade => {
                 let own = [include_str!("../templates/light_lobe.wgsl"), include_str!("../templates/shade.wgsl")];
-                [&PICTURE[..], &SURFACES, &LIGHTS, &own].concat()
+                [&VIEW[..], &PICTURE, &SURFACES, &[GLOSS], &LIGHTS, &own].concat()
+            }
+            Template::OnePass => {
+                let own = [
+                    include_str!("../templates/one_pass/lights_bound.wgsl"),
+                    include_str!("../templates/one_pass/picture.wgsl"),
+                ];
+                [&VIEW[..2], &own, one_pass::FILES].concat()
             }
             Template::Inspect(pass) => pass.files(),
         }
@@ -94,11 +114,10 @@ impl Template {
 
 impl Inspect {
     fn files(self) -> Vec<&'static str> {
-        let view = include_str!("../templates/trace_view.wgsl");
         let plane = include_str!("../templates/inspect_plane.wgsl");
         match self {
-            Inspect::Surface => vec![view, MEET, plane, include_str!("../templates/inspect.wgsl")],
-            Inspect::Section => vec![view, plane, include_str!("../templates/inspect_section.wgsl")],
+            Inspect::Surface => [&VIEW[..], &[MEET, plane, include_str!("../templates/inspect.wgsl")]].concat(),
+            Inspect::Section => [&VIEW[..], &[plane, include_str!("../templates/inspect_section.wgsl")]].concat(),
             Inspect::Materials => vec![include_str!("../templates/inspect_materials.wgsl")],
         }
     }
@@ -107,28 +126,37 @@ impl Inspect {
 /// How rays meet surfaces.
 const MEET: &str = include_str!("../templates/trace_meet.wgsl");
 
+/// How lights are sampled.
+const SAMPLING: &str = include_str!("../templates/light_sampling.wgsl");
+
+/// The glossy lobe in a table.
+const GLOSS: &str = include_str!("../templates/gloss.wgsl");
+
+/// From where a scene is seen.
+const VIEW: [&str; 3] = [
+    include_str!("../templates/trace_view.wgsl"),
+    include_str!("../templates/setting_view.wgsl"),
+    include_str!("../templates/ray.wgsl"),
+];
+
 /// What pictures are drawn with.
 const PICTURE: [&str; 3] = [
-    include_str!("../templates/trace_view.wgsl"),
+    include_str!("../templates/basis.wgsl"),
     include_str!("../templates/trace_numbers.wgsl"),
     include_str!("../templates/receiver.wgsl"),
 ];
 
 /// What is known of surfaces and of what surrounds them.
-const SURFACES: [&str; 3] = [
-    include_str!("../templates/trace_surface.wgsl"),
-    include_str!("../templates/gloss.wgsl"),
-    include_str!("../templates/trace_studio.wgsl"),
-];
+const SURFACES: [&str; 2] =
+    [include_str!("../templates/trace_surface.wgsl"), include_str!("../templates/trace_studio.wgsl")];
 
 /// What is known of lights.
-const LIGHTS: [&str; 6] = [
+const LIGHTS: [&str; 5] = [
     include_str!("../templates/light.wgsl"),
     include_str!("../templates/light_bounds.wgsl"),
     include_str!("../templates/light_crossing.wgsl"),
     include_str!("../templates/light_outline.wgsl"),
     include_str!("../templates/light_forms.wgsl"),
-    include_str!("../templates/light_sampling.wgsl"),
 ];
 
 /// A parsed template.
@@ -142,6 +170,9 @@ pub(crate) struct Parsed {
 /// What [`GLOSS`](crate::bindings::GLOSS) is: rows of four 32-bit floats, the least significant byte first. The example
 /// `fit_gloss` computes it.
 pub const GLOSS_TABLE: &[u8] = include_bytes!("../templates/gloss.bin");
+
+/// From radiance to what a screen shows: WGSL functions that ask nothing.
+pub const FOR_SCREENS: &str = include_str!("../templates/display.wgsl");
 
 /// The stubs that splicing replaces, with the struct the second one returns.
 pub(crate) const SCENE: &str = include_str!("../templates/scene.wgsl");

@@ -1,5 +1,7 @@
 //! A scene as readable WGSL: the vocabulary's own text, with its comments, above the scene's functions.
 
+mod spelling;
+
 use std::fmt::Write;
 
 use chiaro_field::Graph;
@@ -10,6 +12,7 @@ use naga::{AddressSpace, ArraySize, Function, Handle, Module, TypeInner};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::emit::{Emitted, OwnFunction, emit};
+use crate::tables::Tables;
 use crate::template::{SCENE, Template};
 
 /// A text, with what its lines stand for.
@@ -21,6 +24,24 @@ pub struct Listing {
     pub lines: Vec<(usize, Span)>,
 }
 
+/// A scene's functions as text, in parts.
+#[derive(Clone, Debug, Default)]
+pub struct Library {
+    /// The constants, types and functions of the vocabulary that the scene's functions mention or call, with their comments.
+    pub vocabulary: String,
+    /// The scene's own functions, the last two of which are `scene_distance` and `scene_surface`. They read live number i
+    /// as component i mod 4 of `live[i / 4]`, and row i of the tables as `tables[i]`.
+    pub functions: String,
+    /// What the lines of `functions` stand for, as those of a [`Listing`].
+    pub lines: Vec<(usize, Span)>,
+    /// The rows of the tables; none, if the functions read none.
+    pub tables: Tables,
+}
+
+/// What values that come from an expression are to be called, for readers to recognise them: a word in snake case that
+/// doesn't start with a digit.
+pub type Names<'a> = &'a dyn Fn(Span) -> Option<String>;
+
 /// The scene as a WGSL library of `scene_distance` and `scene_surface`, with what they call and nothing else.
 ///
 /// Where it declares `live` or `tables`, the bindings are those of [`bindings`](crate::bindings).
@@ -30,20 +51,28 @@ pub fn wgsl(graph: &Graph) -> Result<String, Diagnostic> {
 
 /// The same, with what its lines stand for.
 pub fn listing(graph: &Graph) -> Result<Listing, Diagnostic> {
-    let emitted = emit(graph, Template::Library.parsed())?;
-    let own = own_text(&emitted)?;
-    let mut text = String::new();
-    for declaration in called(&emitted, &own) {
-        text += declaration.text;
-        text += "\n";
-    }
-    text += &variables(&emitted.module);
-    let above = text.lines().count();
-    text += own.trim_end();
-    text += "\n";
+    let emitted = emit(graph, Template::Library.parsed(), &|_| None)?;
+    let Library { vocabulary, functions, lines, .. } = library_of(&emitted, "")?;
+    let above = vocabulary + &variables(&emitted.module);
+    let first = above.lines().count();
+    let lines = lines.into_iter().map(|(line, span)| (first + line, span)).collect();
+    Ok(Listing { lines, text: above + functions.trim_end() + "\n" })
+}
+
+/// The same in parts, with values called by these names, for a text that mentions functions and constants of the vocabulary.
+pub fn library(graph: &Graph, names: Names, caller: &str) -> Result<Library, Diagnostic> {
+    let mut emitted = emit(graph, Template::Library.parsed(), names)?;
+    let tables = std::mem::take(&mut emitted.tables);
+    Ok(Library { tables, ..library_of(&emitted, caller)? })
+}
+
+fn library_of(emitted: &Emitted, caller: &str) -> Result<Library, Diagnostic> {
+    let functions = own_text(emitted)?;
+    let called = called(emitted, &functions, caller);
+    let vocabulary = called.iter().map(|declaration| format!("{}\n", declaration.text)).collect();
     let spans =
-        own.lines().enumerate().filter_map(|(line, value)| Some((above + line, *emitted.names.get(named(value)?)?)));
-    Ok(Listing { lines: spans.collect(), text })
+        functions.lines().enumerate().filter_map(|(line, text)| Some((line, *emitted.names.get(named(text)?)?)));
+    Ok(Library { lines: spans.collect(), vocabulary, functions, tables: Tables::default() })
 }
 
 /// The name of the value that a line makes.
@@ -58,14 +87,14 @@ struct Declaration {
     text: &'static str,
 }
 
-/// The declarations of the vocabulary and of `scene.wgsl` that the scene reaches, in their order.
-fn called(emitted: &Emitted, own: &str) -> Vec<Declaration> {
+/// The declarations of the vocabulary and of `scene.wgsl` that the scene and a pass below it reach, in their order.
+fn called(emitted: &Emitted, own: &str, pass: &str) -> Vec<Declaration> {
     let own_functions: FxHashSet<Handle<Function>> = emitted.functions.iter().map(|own| own.handle).collect();
     let functions: FxHashSet<&str> = (emitted.module.functions.iter())
         .filter(|(handle, _)| !own_functions.contains(handle))
         .filter_map(|(_, function)| function.name.as_deref())
         .collect();
-    let mut mentioned: FxHashSet<&str> = words(own).collect();
+    let mut mentioned: FxHashSet<&str> = words(own).chain(words(pass)).collect();
     let mut called = Vec::new();
     // Constants and types stand above those who mention them.
     let all: Vec<Declaration> = declarations(chiaro_vocabulary::source()).chain(declarations(SCENE)).collect();
@@ -141,7 +170,7 @@ fn own_text(emitted: &Emitted) -> Result<String, Diagnostic> {
         let function = &emitted.module.functions[handle];
         let Some(own) = function.name.as_deref().and_then(|name| texts.get(name)) else { continue };
         text += if comment.is_empty() { stub_comment(function) } else { comment };
-        text += &unwrapped(&renamed(own, function));
+        text += &spelling::tidied(&unwrapped(&renamed(own, function)));
         text += "\n";
     }
     Ok(text)

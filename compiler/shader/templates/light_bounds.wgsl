@@ -8,45 +8,37 @@ fn light_bound(light: Light, p: vec3<f32>) -> vec4<f32> {
     }
     let sphere = light_sphere(light);
     let to_centre = sphere.xyz - p;
-    let distance = length(to_centre);
-    return vec4<f32>(to_centre / max(distance, 1e-20), min(sphere.w / max(distance, 1e-20), 1.0));
+    let far = length(to_centre);
+    return vec4<f32>(to_centre / max(far, 1e-20), min(sphere.w / max(far, 1e-20), 1.0));
 }
 
 /// The centre and the radius of a light's bounding sphere; not of a sun.
 fn light_sphere(light: Light) -> vec4<f32> {
-    switch light.kind.x {
-        case LIGHT_QUAD: {
-            let centre = 0.25 * (light.a.xyz + light.b.xyz + light.c.xyz + light.d.xyz);
-            let nearer = max(distance(light.a.xyz, centre), distance(light.b.xyz, centre));
-            let farther = max(distance(light.c.xyz, centre), distance(light.d.xyz, centre));
-            return vec4<f32>(centre, max(nearer, farther));
-        }
-        case LIGHT_TUBE: {
-            return vec4<f32>(light.a.xyz, length(vec2<f32>(light.a.w, length(light.b.xyz))));
-        }
-        default: {
-            return light.a;
-        }
+    if light.kind.x == LIGHT_QUAD {
+        let centre = 0.25 * (light.a.xyz + light.b.xyz + light.c.xyz + light.d.xyz);
+        let nearer = max(distance(light.a.xyz, centre), distance(light.b.xyz, centre));
+        let farther = max(distance(light.c.xyz, centre), distance(light.d.xyz, centre));
+        return vec4<f32>(centre, max(nearer, farther));
     }
+    if light.kind.x == LIGHT_TUBE {
+        return vec4<f32>(light.a.xyz, length(vec2<f32>(light.a.w, length(light.b.xyz))));
+    }
+    return light.a;
 }
 
 /// How far a ray from p in the unit direction w goes until it is at the light. Rays at a sphere end before its front,
 /// where the cone about it is narrowest; those to flat lights at the light's plane; those to a sun never.
 fn light_reach(light: Light, p: vec3<f32>, w: vec3<f32>) -> f32 {
-    switch light.kind.x {
-        case LIGHT_SUN: {
-            return FAR;
-        }
-        case LIGHT_QUAD: {
-            return plane_reach(quad_normal(light), light.a.xyz - p, w);
-        }
-        case LIGHT_DISK: {
-            return plane_reach(light.b.xyz, light.a.xyz - p, w);
-        }
-        default: {
-            return max(distance(light.a.xyz, p) - light.a.w, 0.0);
-        }
+    if light.kind.x == LIGHT_SUN {
+        return FAR;
     }
+    if light.kind.x == LIGHT_QUAD {
+        return plane_reach(quad_normal(light), light.a.xyz - p, w);
+    }
+    if light.kind.x == LIGHT_DISK {
+        return plane_reach(light.b.xyz, light.a.xyz - p, w);
+    }
+    return max(distance(light.a.xyz, p) - light.a.w, 0.0);
 }
 
 /// How far along w a plane is that goes through a point; its normal need not have length 1.

@@ -3,31 +3,27 @@
 /// How far from o along the unit direction w a ray meets a light's shining side; `FAR` if it doesn't. A sun is met just
 /// before that.
 fn light_crossing(light: Light, o: vec3<f32>, w: vec3<f32>) -> f32 {
-    switch light.kind.x {
-        case LIGHT_SUN: {
-            let lateral = length(cross(light.a.xyz, w));
-            return select(FAR, 0.999 * FAR, dot(light.a.xyz, w) > 0.0 && lateral <= light.a.w);
-        }
-        case LIGHT_DISK: {
-            let t = flat_crossing(light, light.b.xyz, o, w);
-            return select(FAR, t, distance(o + t * w, light.a.xyz) <= light.a.w);
-        }
-        case LIGHT_QUAD: {
-            let t = flat_crossing(light, quad_normal(light), o, w);
-            return select(FAR, t, is_in_quad(light, o + t * w));
-        }
-        case LIGHT_TUBE: {
-            return tube_crossing(light, o, w);
-        }
-        default: {
-            let to_centre = light.a.xyz - o;
-            let along = dot(to_centre, w);
-            let lateral = to_centre - along * w;
-            let half_chord2 = light.a.w * light.a.w - dot(lateral, lateral);
-            let t = along - sqrt(max(half_chord2, 0.0));
-            return select(FAR, t, half_chord2 > 0.0 && t > 0.0);
-        }
+    if light.kind.x == LIGHT_SUN {
+        let lateral = length(cross(light.a.xyz, w));
+        return select(FAR, 0.999 * FAR, dot(light.a.xyz, w) > 0.0 && lateral <= light.a.w);
     }
+    if light.kind.x == LIGHT_DISK {
+        let t = flat_crossing(light, light.b.xyz, o, w);
+        return select(FAR, t, distance(o + t * w, light.a.xyz) <= light.a.w);
+    }
+    if light.kind.x == LIGHT_QUAD {
+        let t = flat_crossing(light, quad_normal(light), o, w);
+        return select(FAR, t, is_in_quad(light, o + t * w));
+    }
+    if light.kind.x == LIGHT_TUBE {
+        return tube_crossing(light, o, w);
+    }
+    let to_centre = light.a.xyz - o;
+    let along = dot(to_centre, w);
+    let lateral = to_centre - along * w;
+    let half_chord2 = light.a.w * light.a.w - dot(lateral, lateral);
+    let t = along - sqrt(max(half_chord2, 0.0));
+    return select(FAR, t, half_chord2 > 0.0 && t > 0.0);
 }
 
 /// Where a ray meets the plane of a flat light from a side that shines.

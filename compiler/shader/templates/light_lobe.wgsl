@@ -13,6 +13,25 @@ struct LobeShare {
     w: vec3<f32>,
 }
 
+/// What the interface sends to the eye of a light of radiance 1 of which all is seen.
+fn gloss_of_light(light: Light, x: Vertex, p: vec3<f32>) -> vec3<f32> {
+    if is_within_round(light, p) {
+        return x.albedo;
+    }
+    let share = lobe_share(light, x, p);
+    // Fresnel's term is that of the light's direction, and of the lobe's average where the light is all around.
+    let once = gloss_entry(sqrt(x.alpha), dot(x.n, x.v), 1u);
+    let grazing = pow(clamp(1.0 - dot(normalize(share.w + x.v), x.v), 0.0, 1.0), 5.0);
+    let F = x.f0 + (1.0 - x.f0) * mix(grazing, once.y / once.x, share.part);
+    return x.gain * F * once.x * share.part;
+}
+
+/// Whether p is within a sphere or a sun.
+fn is_within_round(light: Light, p: vec3<f32>) -> bool {
+    let is_round = light.kind.x == LIGHT_SPHERE || light.kind.x == LIGHT_SUN;
+    return is_round && light_bound(light, p).w >= 1.0;
+}
+
 fn lobe_share(light: Light, x: Vertex, p: vec3<f32>) -> LobeShare {
     let n = x.n;
     let mirrored = reflect(-x.v, n);

@@ -31,36 +31,32 @@ struct Outline {
 
 fn outline_of(light: Light, p: vec3<f32>) -> Outline {
     let to_middle = light.a.xyz - p;
-    switch light.kind.x {
-        case LIGHT_QUAD: {
-            let middle = 0.25 * (light.a.xyz + light.b.xyz + light.c.xyz + light.d.xyz);
-            let x = light.a.xyz - middle;
-            let y = light.b.xyz - middle;
-            let z = light.c.xyz - middle;
-            return outline_scaled(Outline(middle - p, x, y, z, vec2<f32>(0.0), vec2<f32>(0.0), 4u));
-        }
-        case LIGHT_TUBE: {
-            // Its ends are seen as the arcs that face p, up to where planes through p touch the tube.
-            let axis = light.b.xyz / max(length(light.b.xyz), 1e-20);
-            let from_axis = dot(to_middle, axis) * axis - to_middle;
-            let distance = length(from_axis);
-            let d = max(distance, light.a.w * 1.0001);
-            let towards = light.a.w * select(basis_across(axis)[0], from_axis / max(distance, 1e-20), distance > 1e-12);
-            let widest = acos(light.a.w / d);
-            let step = 2.0 * widest / f32(ARC_CORNERS - 1u);
-            let first = vec2<f32>(-widest, step);
-            let sideways = cross(axis, towards);
-            return outline_scaled(Outline(to_middle, towards, sideways, light.b.xyz, first, -first, 2u * ARC_CORNERS));
-        }
-        case LIGHT_DISK: {
-            return outline_of_disk(to_middle, light.b.xyz, light.a.w);
-        }
-        default: {
-            let cone = light_bound(light, p);
-            let sine = min(cone.w, 0.9999);
-            return outline_of_disk(cone.xyz, cone.xyz, sine / sqrt(1.0 - sine * sine));
-        }
+    if light.kind.x == LIGHT_QUAD {
+        let middle = 0.25 * (light.a.xyz + light.b.xyz + light.c.xyz + light.d.xyz);
+        let x = light.a.xyz - middle;
+        let y = light.b.xyz - middle;
+        let z = light.c.xyz - middle;
+        return outline_scaled(Outline(middle - p, x, y, z, vec2<f32>(0.0), vec2<f32>(0.0), 4u));
     }
+    if light.kind.x == LIGHT_TUBE {
+        // Its ends are seen as the arcs that face p, up to where planes through p touch the tube.
+        let axis = light.b.xyz / max(length(light.b.xyz), 1e-20);
+        let from_axis = dot(to_middle, axis) * axis - to_middle;
+        let from_axis_length = length(from_axis);
+        let d = max(from_axis_length, light.a.w * 1.0001);
+        let towards = light.a.w * select(basis_across(axis)[0], from_axis / max(from_axis_length, 1e-20), from_axis_length > 1e-12);
+        let widest = acos(light.a.w / d);
+        let step = 2.0 * widest / f32(ARC_CORNERS - 1u);
+        let first = vec2<f32>(-widest, step);
+        let sideways = cross(axis, towards);
+        return outline_scaled(Outline(to_middle, towards, sideways, light.b.xyz, first, -first, 2u * ARC_CORNERS));
+    }
+    if light.kind.x == LIGHT_DISK {
+        return outline_of_disk(to_middle, light.b.xyz, light.a.w);
+    }
+    let cone = light_bound(light, p);
+    let sine = min(cone.w, 0.9999);
+    return outline_of_disk(cone.xyz, cone.xyz, sine / sqrt(1.0 - sine * sine));
 }
 
 fn outline_of_disk(middle: vec3<f32>, normal: vec3<f32>, radius: f32) -> Outline {

@@ -25,26 +25,22 @@ fn light_drawn(light: Light, p: vec3<f32>, u: vec2<f32>) -> LightSample {
     if !shines_at(light, p) {
         return LightSample(vec3<f32>(0.0, 0.0, 1.0), 0.0, 0.0);
     }
-    switch light.kind.x {
-        case LIGHT_DISK: {
-            let across = basis_across(light.b.xyz);
-            let at = light.a.w * unit_disc(u);
-            let area = PI * light.a.w * light.a.w;
-            return point_drawn(light.a.xyz + at.x * across[0] + at.y * across[1] - p, light.b.xyz, area);
-        }
-        case LIGHT_TUBE: {
-            return tube_drawn(light, p, u);
-        }
-        default: {
-            if (light.kind.y & LIGHT_RECTANGLE) > 0u {
-                let drawn = rectangle_drawn(light, p, u);
-                if drawn.weight > LEAST_SOLID_ANGLE {
-                    return drawn;
-                }
-            }
-            return quad_drawn(light, p, u);
+    if light.kind.x == LIGHT_DISK {
+        let across = basis_across(light.b.xyz);
+        let at = light.a.w * unit_disc(u);
+        let area = PI * light.a.w * light.a.w;
+        return point_drawn(light.a.xyz + at.x * across[0] + at.y * across[1] - p, light.b.xyz, area);
+    }
+    if light.kind.x == LIGHT_TUBE {
+        return tube_drawn(light, p, u);
+    }
+    if (light.kind.y & LIGHT_RECTANGLE) > 0u {
+        let drawn = rectangle_drawn(light, p, u);
+        if drawn.weight > LEAST_SOLID_ANGLE {
+            return drawn;
         }
     }
+    return quad_drawn(light, p, u);
 }
 
 /// A point of a surface with this area that is drawn evenly.

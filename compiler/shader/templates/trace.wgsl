@@ -119,7 +119,7 @@ fn path(pixel: vec2<u32>, start: f32, place: u32) -> vec4<f32> {
         let lit_from = position + offset * n;
         let l = some_light_drawn(lit_from, n, unit_square(seed, sample, 4u * depth), choice, among);
         let u = unit_square(seed, sample, 4u * depth + 1u);
-        let catches = missed && depth == 1u && is_studio();
+        let catches = missed && depth == 1u && setting_is_studio();
         if catches {
             // The floor that the camera sees is the backdrop, darker where the scene hides light from it.
             from_floor = true;

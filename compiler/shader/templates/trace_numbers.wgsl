@@ -60,18 +60,6 @@ fn tent(u: vec2<f32>) -> vec2<f32> {
     return sign(v) * (1.0 - sqrt(1.0 - abs(v)));
 }
 
-/// Two directions that span the plane across n (Duff et al., "Building an Orthonormal Basis, Revisited", 2017).
-fn basis_across(n: vec3<f32>) -> mat3x3<f32> {
-    let s = select(-1.0, 1.0, n.z >= 0.0);
-    let a = -1.0 / (s + n.z);
-    let b = n.x * n.y * a;
-    return mat3x3<f32>(
-        vec3<f32>(1.0 + s * n.x * n.x * a, s * b, -s * n.x),
-        vec3<f32>(b, s + n.y * n.y * a, -n.y),
-        n,
-    );
-}
-
 /// A direction about n, by the cosine of the angle between.
 fn cosine_drawn(n: vec3<f32>, u: vec2<f32>) -> vec3<f32> {
     let d = unit_disc(u);

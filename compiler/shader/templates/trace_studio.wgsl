@@ -15,17 +15,13 @@ const FLOOR_KEY_SHARE: vec3<f32> = vec3<f32>(0.50, 0.48, 0.455);
 
 /// A direction of the world as the studio's axes see it: x to the right, y away from the viewer, z up.
 fn into_studio(w: vec3<f32>) -> vec3<f32> {
-    return vec3<f32>(w.x * view.studio.z + w.y * view.studio.w, w.y * view.studio.z - w.x * view.studio.w, w.z);
+    let turn = setting_azimuth();
+    return vec3<f32>(w.x * turn.x + w.y * turn.y, w.y * turn.x - w.x * turn.y, w.z);
 }
 
-/// A direction of the studio in the world.
-fn from_studio(w: vec3<f32>) -> vec3<f32> {
-    return vec3<f32>(w.x * view.studio.z - w.y * view.studio.w, w.y * view.studio.z + w.x * view.studio.w, w.z);
-}
-
-/// How much of a box filter of a width about x lies within ±half, along one axis.
-fn strip(x: f32, half: f32, width: f32) -> f32 {
-    return max(min(half, x + 0.5 * width) - max(-half, x - 0.5 * width), 0.0) / width;
+/// How much of a box filter of a width about x lies within ±reach, along one axis.
+fn strip(x: f32, reach: f32, width: f32) -> f32 {
+    return max(min(reach, x + 0.5 * width) - max(-reach, x - 0.5 * width), 0.0) / width;
 }
 
 /// A soft box about the unit direction c, seen in direction w, as sharp as the lobe that sees it.
@@ -38,20 +34,15 @@ fn soft_box(w: vec3<f32>, c: vec3<f32>, half_size: vec2<f32>, blur: f32) -> f32 
     return seen * smoothstep(0.0, 0.25, facing);
 }
 
-/// Whether the scene stands in the studio.
-fn is_studio() -> bool {
-    return view.zenith.w > 0.5;
-}
-
 /// The radiance from a direction of the world, for a lobe between a mirror's (0) and a matt body's (1).
 fn sky(w: vec3<f32>, blur: f32) -> vec3<f32> {
-    if is_studio() {
+    if setting_is_studio() {
         return studio_sky(into_studio(w), blur);
     }
     // The horizon is as blurred as the lobe.
     let above = smoothstep(-1.0, 1.0, w.z / (0.02 + blur));
-    let upwards = mix(view.horizon.rgb, view.zenith.rgb, max(w.z, 0.0));
-    return mix(view.ground.rgb, upwards, above);
+    let upwards = mix(setting_horizon(), setting_zenith(), max(w.z, 0.0));
+    return mix(setting_ground(), upwards, above);
 }
 
 fn studio_sky(w: vec3<f32>, blur: f32) -> vec3<f32> {
@@ -69,9 +60,9 @@ fn studio_sky(w: vec3<f32>, blur: f32) -> vec3<f32> {
 
 /// The sky's irradiance over π on a surface whose normal is n: what a white one sends back, where nothing hides it.
 fn ambient(n: vec3<f32>) -> vec3<f32> {
-    if !is_studio() {
-        let upwards = mix(view.horizon.rgb, view.zenith.rgb, 2.0 / 3.0 * max(n.z, 0.0));
-        return mix(view.ground.rgb, upwards, 0.5 + 0.5 * n.z);
+    if !setting_is_studio() {
+        let upwards = mix(setting_horizon(), setting_zenith(), 2.0 / 3.0 * max(n.z, 0.0));
+        return mix(setting_ground(), upwards, 0.5 + 0.5 * n.z);
     }
     return mix(vec3<f32>(0.34, 0.34, 0.35), vec3<f32>(0.62, 0.64, 0.67), 0.5 + 0.5 * n.z);
 }
@@ -79,7 +70,7 @@ fn ambient(n: vec3<f32>) -> vec3<f32> {
 /// What the camera sees behind everything in direction w, at a point of the picture, whose corners are at a distance of
 /// 1 from its centre.
 fn background_of(w: vec3<f32>, point: vec2<f32>) -> vec3<f32> {
-    if !is_studio() {
+    if !setting_is_studio() {
         return sky(w, 0.0);
     }
     let from_centre = point - vec2<f32>(0.0, -0.08);
@@ -89,6 +80,6 @@ fn background_of(w: vec3<f32>, point: vec2<f32>) -> vec3<f32> {
 
 /// How far along a ray it meets the floor; not at all if negative. The floor is seen from above only.
 fn floor_crossing(ray: Ray) -> f32 {
-    let falls = (view.studio.y > 0.5) & (ray.w.z < -1e-6) & (ray.o.z > view.studio.x);
-    return select(-1.0, (view.studio.x - ray.o.z) / min(ray.w.z, -1e-6), falls);
+    let falls = setting_has_floor() && ray.w.z < -1e-6 && ray.o.z > setting_floor();
+    return select(-1.0, (setting_floor() - ray.o.z) / min(ray.w.z, -1e-6), falls);
 }

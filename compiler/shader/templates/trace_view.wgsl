@@ -36,30 +36,12 @@ struct View {
 
 @group(0) @binding(0) var<uniform> view: View;
 
-struct Ray {
-    /// Where it starts.
-    o: vec3<f32>,
-    /// Where it goes, of length 1.
-    w: vec3<f32>,
-}
-
 /// The ray from the eye through a point of the picture, in pixels from the upper left corner.
 fn camera_ray(point: vec2<f32>) -> Ray {
     let size = vec2<f32>(view.size.xy);
     let across = 2.0 * point.x / size.x - 1.0;
     let upwards = 1.0 - 2.0 * point.y / size.y;
     return Ray(view.eye.xyz, normalize(view.forward.xyz + across * view.right.xyz + upwards * view.up.xyz));
-}
-
-/// Where a ray enters the scene's box and where it leaves it; it misses the box if it leaves before it enters.
-fn box_crossing(ray: Ray) -> vec2<f32> {
-    // A direction's zero component would give 0 × ∞ for an origin on the slab.
-    let w = select(ray.w, vec3<f32>(1e-20), abs(ray.w) < vec3<f32>(1e-20));
-    let to_min = (view.box_min.xyz - ray.o) / w;
-    let to_max = (view.box_max.xyz - ray.o) / w;
-    let enter = min(to_min, to_max);
-    let leave = max(to_min, to_max);
-    return vec2<f32>(max(max(enter.x, enter.y), max(enter.z, 0.0)), min(leave.x, min(leave.y, leave.z)));
 }
 
 /// Where the tile of a prepass level that holds a pixel is stored.

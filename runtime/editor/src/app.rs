@@ -73,9 +73,13 @@ impl Editor {
             styled: 0.0,
         };
         match options.files.is_empty() {
-            true => editor.settings.open.clone().iter().for_each(|file| editor.open(file)),
-            false => options.files.iter().for_each(|file| editor.open_or_begin(file)),
+            true => editor.open_last(),
+            false => {
+                options.files.iter().for_each(|file| editor.open_or_begin(file));
+                editor.session.activate(0);
+            }
         }
+        editor.text.wants_focus = true;
         editor.session.define(options.definitions);
         editor
     }
@@ -84,12 +88,22 @@ impl Editor {
     pub(crate) fn open(&mut self, path: &std::path::Path) {
         match self.session.open(path) {
             Ok(()) => {
+                self.text.wants_focus = true;
+                self.session.failure = None;
                 if let Some(path) = self.session.active().path.clone() {
                     self.settings.opened(&path);
                 }
             }
-            Err(reason) => self.session.trouble = Some(reason),
+            Err(reason) => self.session.failure = Some(reason),
         }
+    }
+
+    /// Opens the files of the last time, as they were then.
+    fn open_last(&mut self) {
+        let drawn = self.settings.drawn.clone();
+        // Those that are gone meanwhile are no trouble of this time.
+        let there: Vec<PathBuf> = self.settings.open.iter().filter(|file| file.exists()).cloned().collect();
+        there.iter().chain(drawn.iter().filter(|file| there.contains(file))).for_each(|file| self.open(file));
     }
 
     /// Opens a file, or begins it if there is none.
@@ -99,7 +113,7 @@ impl Editor {
         }
         match std::path::absolute(path) {
             Ok(path) => self.session.begin(path),
-            Err(reason) => self.session.trouble = Some(format!("cannot begin {}: {reason}", path.display())),
+            Err(reason) => self.session.failure = Some(format!("cannot begin {}: {reason}", path.display())),
         }
     }
 
@@ -170,6 +184,7 @@ impl eframe::App for Editor {
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         self.settings.open = self.session.documents().iter().filter_map(|document| document.path.clone()).collect();
+        self.settings.drawn = self.session.scene_document().path.clone();
         eframe::set_value(storage, eframe::APP_KEY, &self.settings);
     }
 

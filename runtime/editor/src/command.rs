@@ -5,6 +5,7 @@ use egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 use crate::app::Editor;
 use crate::dialogs::export::Export;
 use crate::dialogs::record::Record;
+use crate::document::UNTITLED;
 use crate::settings::Panel;
 use crate::text::Command as TextCommand;
 
@@ -132,7 +133,8 @@ impl Command {
         match self {
             Command::New => {
                 editor.gallery.is_left = true;
-                editor.session.open_text(String::new());
+                editor.session.open_text(UNTITLED, String::new());
+                editor.text.wants_focus = true;
             }
             Command::Open => editor.dialogs.files.choose_to_open(context),
             Command::Save => editor.save_active(context, false),

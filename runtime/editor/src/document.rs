@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::history::History;
 
-/// The name of what has no file yet.
-const UNTITLED: &str = "untitled.csg";
+/// The name of what has no file yet, unless it has a better one.
+pub(crate) const UNTITLED: &str = "untitled.csg";
 
 /// A number that no other open text has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -18,6 +18,8 @@ pub(crate) struct DocumentId(u64);
 pub(crate) struct Document {
     pub(crate) id: DocumentId,
     pub(crate) path: Option<PathBuf>,
+    /// What it is called as long as it has no file.
+    pub(crate) working_title: String,
     pub(crate) text: String,
     /// The text as it is on the disk.
     pub(crate) saved: Arc<str>,
@@ -36,6 +38,7 @@ impl Document {
         Self {
             id: DocumentId(NEXT.fetch_add(1, Ordering::Relaxed)),
             path,
+            working_title: UNTITLED.to_owned(),
             saved: text.as_str().into(),
             text,
             history: History::default(),
@@ -55,14 +58,14 @@ impl Document {
     pub(crate) fn name(&self) -> String {
         match &self.path {
             Some(path) => path.to_string_lossy().into_owned(),
-            None => UNTITLED.to_owned(),
+            None => self.working_title.clone(),
         }
     }
 
     /// The name that the user knows it by.
     pub(crate) fn title(&self) -> String {
         let name = self.path.as_ref().and_then(|path| path.file_name());
-        name.map_or(UNTITLED.to_owned(), |name| name.to_string_lossy().into_owned())
+        name.map_or(self.working_title.clone(), |name| name.to_string_lossy().into_owned())
     }
 
     pub(crate) fn is_modified(&self) -> bool {
@@ -105,10 +108,9 @@ impl Document {
         (self.anchor, self.caret) = (on_character(anchor), on_character(caret));
     }
 
-    /// Writes the text to its file, whole or not at all.
-    pub(crate) fn save(&mut self) -> Result<(), String> {
-        let path = self.path.clone().ok_or("it has no name yet")?;
-        chiaro_files::write(&path, self.text.as_bytes()).map_err(|error| format!("{error:#}"))?;
+    /// Writes the text to a file, whole or not at all.
+    pub(crate) fn save_to(&mut self, path: &Path) -> Result<(), String> {
+        chiaro_files::write(path, self.text.as_bytes()).map_err(|error| format!("{error:#}"))?;
         self.saved = self.text.as_str().into();
         self.conflict = None;
         Ok(())
@@ -186,7 +188,7 @@ mod tests {
         assert_eq!((document.text.as_str(), document.conflict.as_deref()), ("cube(10);", Some("cube(2);")));
         document.resolve(false);
         assert!(document.is_modified() && document.conflict.is_none());
-        document.save().unwrap();
+        document.save_to(&path).unwrap();
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "cube(10);");
     }
 

@@ -84,8 +84,7 @@ impl Example {
 
 /// Whether there is nothing else to show.
 pub(crate) fn is_wanted(editor: &Editor) -> bool {
-    let [only] = editor.session.documents() else { return false };
-    only.path.is_none() && only.text.is_empty() && !editor.gallery.is_left && !editor.only_picture
+    editor.session.is_blank() && !editor.gallery.is_left && !editor.only_picture
 }
 
 /// Shows the examples, to be opened by a click.
@@ -98,6 +97,7 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
             ui.horizontal_wrapped(|ui| {
                 if ui.button("New scene").clicked() {
                     editor.gallery.is_left = true;
+                    editor.text.wants_focus = true;
                 }
                 if ui.button("Open…").clicked() {
                     Command::Open.run(editor, ui.ctx());
@@ -156,7 +156,15 @@ fn card(editor: &mut Editor, ui: &mut Ui, index: usize) {
     }
     let response = response.on_hover_text(example.description()).on_hover_cursor(egui::CursorIcon::PointingHand);
     if response.clicked() {
-        editor.session.open_text(example.text.to_owned());
+        editor.open_example(example);
+    }
+}
+
+impl Editor {
+    /// Opens a copy of an example, which is the user's to change.
+    pub(crate) fn open_example(&mut self, example: &Example) {
+        self.session.open_text(&format!("{}.csg", example.name), example.text.to_owned());
+        self.text.wants_focus = true;
     }
 }
 

@@ -80,7 +80,7 @@ fn file(editor: &mut Editor, ui: &mut Ui) {
         egui::ScrollArea::vertical().max_height(480.0).show(ui, |ui| {
             for example in EXAMPLES {
                 if ui.button(example.title()).on_hover_text(example.description()).clicked() {
-                    editor.session.open_text(example.text.to_owned());
+                    editor.open_example(example);
                 }
             }
         });

@@ -42,8 +42,10 @@ pub(crate) struct Session {
     pub(crate) shown: Option<Shown>,
     /// The newest picture, until somebody takes it.
     pub(crate) frame: Option<Box<Frame>>,
-    /// What went wrong that is not the text's fault.
+    /// What went wrong with the scene that is not the text's fault.
     pub(crate) trouble: Option<String>,
+    /// What the user asked for last and could not be done, such as saving.
+    pub(crate) failure: Option<String>,
     /// What draws.
     pub(crate) device: String,
     wanted: Wanted,
@@ -51,6 +53,7 @@ pub(crate) struct Session {
 
 /// What the compiler was asked for last.
 struct Running {
+    since: Instant,
     /// The scene's own text when it was asked.
     text: String,
     live: Option<LiveLiteral>,
@@ -99,6 +102,7 @@ impl Session {
             shown: None,
             frame: None,
             trouble: None,
+            failure: None,
             device: String::new(),
             wanted: Wanted::default(),
         })
@@ -108,16 +112,25 @@ impl Session {
     pub(crate) fn open(&mut self, path: &Path) -> Result<(), String> {
         let document = Document::open(path).map_err(|reason| format!("cannot read {}: {reason}", path.display()))?;
         match self.documents.iter().position(|open| open.path == document.path) {
-            Some(index) => self.active = index,
+            Some(index) => self.activate(index),
             None => self.add(document),
         }
         self.watch_files();
         Ok(())
     }
 
-    /// Opens a text that has no file yet.
-    pub(crate) fn open_text(&mut self, text: String) {
-        self.add(Document::new(None, text));
+    /// Opens a text that has no file yet, and is called something like that until it has.
+    pub(crate) fn open_text(&mut self, title: &str, text: String) {
+        let (stem, ending) = title.rsplit_once('.').unwrap_or((title, "csg"));
+        let is_taken = |open: &Document, title: &String| open.path.is_none() && open.working_title == *title;
+        let is_free = |title: &String| self.is_blank() || !self.documents.iter().any(|open| is_taken(open, title));
+        let numbered = (2..).map(|number| format!("{stem}_{number}.{ending}"));
+        let mut titles = std::iter::once(title.to_owned()).chain(numbered);
+        let mut document = Document::new(None, text);
+        if let Some(title) = titles.find(is_free) {
+            document.working_title = title;
+        }
+        self.add(document);
     }
 
     /// Opens an empty text that will be saved to a file.
@@ -134,19 +147,20 @@ impl Session {
         }
     }
 
+    /// Whether nothing is open but a text that nobody has begun.
+    pub(crate) fn is_blank(&self) -> bool {
+        matches!(&self.documents[..], [only] if only.path.is_none() && only.text.is_empty())
+    }
+
+    /// Shows a text beside those that are open, or in the place of an empty one.
     fn add(&mut self, document: Document) {
-        let only = &self.documents[0];
-        let replaces_empty = self.documents.len() == 1 && only.path.is_none() && only.text.is_empty();
-        if replaces_empty {
-            self.scene = document.id;
-            self.documents[0] = document;
-        } else {
-            self.documents.push(document);
+        if self.is_blank() {
+            let id = document.id;
+            (self.documents, self.active) = (vec![document], 0);
+            return self.draw(id);
         }
-        self.active = self.documents.len() - 1;
-        if replaces_empty {
-            self.draw(self.documents[0].id);
-        }
+        self.documents.push(document);
+        self.activate(self.documents.len() - 1);
     }
 
     /// Gives a text another file.
@@ -162,6 +176,9 @@ impl Session {
         let closed = self.documents.remove(index);
         if self.documents.is_empty() {
             self.documents.push(Document::new(None, String::new()));
+        }
+        if index < self.active {
+            self.active -= 1;
         }
         self.active = self.active.min(self.documents.len() - 1);
         if closed.id == self.scene {
@@ -187,7 +204,7 @@ impl Session {
         self.active = index.min(self.documents.len() - 1);
         let (id, name) = (self.active().id, self.active().name());
         let is_part =
-            self.outcome.as_ref().is_none_or(|outcome| outcome.sources.iter().any(|(_, file)| file.name == name));
+            self.outcome.as_ref().is_some_and(|outcome| outcome.sources.iter().any(|(_, file)| file.name == name));
         if id != self.scene && !is_part {
             self.draw(id);
         }
@@ -255,7 +272,7 @@ impl Session {
         let mut program = self.program();
         program.options.live_literals = live.into_iter().collect();
         let text = self.scene_document().text.clone();
-        self.running = Some(Running { text, live, moved: None, settles_after: None });
+        self.running = Some(Running { since: Instant::now(), text, live, moved: None, settles_after: None });
         self.studio.compile(program);
     }
 
@@ -392,6 +409,11 @@ impl Session {
     /// Whether what the compiler has to say is about the text that is open.
     pub(crate) fn is_compiled(&self) -> bool {
         self.outcome.as_ref().is_some_and(|outcome| outcome.revision == self.revision)
+    }
+
+    /// How long ago the compiler was asked last.
+    pub(crate) fn waits_since(&self) -> Option<Duration> {
+        self.running.as_ref().map(|running| running.since.elapsed())
     }
 
     /// Whether the picture is of an older text than the one that is open.

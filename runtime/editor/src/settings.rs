@@ -18,6 +18,8 @@ pub(crate) struct Settings {
     pub(crate) recent: Vec<PathBuf>,
     /// The files that were open.
     pub(crate) open: Vec<PathBuf>,
+    /// The one of them that was drawn.
+    pub(crate) drawn: Option<PathBuf>,
     pub(crate) panel: Panel,
     pub(crate) shows_panel: bool,
     /// In points.
@@ -69,6 +71,7 @@ impl Default for Settings {
             theme: Theme::System,
             recent: Vec::new(),
             open: Vec::new(),
+            drawn: None,
             panel: Panel::Parameters,
             shows_panel: true,
             text_size: 14.0,

@@ -1,6 +1,7 @@
 //! The files that the command and the editor touch.
 //!
-//! [`FileWorld`] reads scenes and what they include; [`write()`] writes a file whole or not at all; [`images`] are
+//! [`FileWorld`] reads scenes and what they include; [`write()`] writes a file whole or not at all, [`write_all()`]
+//! several of them; [`images`] are
 //! pictures as files.
 
 pub mod images;
@@ -8,5 +9,5 @@ pub mod images;
 mod whole;
 mod world;
 
-pub use whole::write;
+pub use whole::{write, write_all, write_folder};
 pub use world::FileWorld;

@@ -58,12 +58,12 @@ pub enum Surroundings {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct LightRow {
-    a: [f32; 4],
-    b: [f32; 4],
-    c: [f32; 4],
-    d: [f32; 4],
-    radiance: [f32; 4],
-    kind: [u32; 4],
+    pub(crate) a: [f32; 4],
+    pub(crate) b: [f32; 4],
+    pub(crate) c: [f32; 4],
+    pub(crate) d: [f32; 4],
+    pub(crate) radiance: [f32; 4],
+    pub(crate) kind: [u32; 4],
 }
 
 const SPHERE: u32 = 0;

@@ -100,6 +100,11 @@ impl Model {
         self.graph.is_same_field(graph)
     }
 
+    /// Whether it is a clone of another one, so that what was made for one of them serves both.
+    pub fn is_clone_of(&self, other: &Model) -> bool {
+        Arc::ptr_eq(&self.graph, &other.graph)
+    }
+
     /// The box that the scene fills while the live numbers have their present values, cut where it has no end.
     pub fn extent(&self, gpu: &Gpu) -> Result<Bounds> {
         measure::extent(gpu, self)

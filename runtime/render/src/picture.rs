@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use chiaro_shader::Shadows;
+use chiaro_shader::{Setting, Shadows};
 use wgpu::{BindGroup, Buffer, Texture};
 
 use crate::cells::MOST_CELLS;
@@ -11,6 +11,7 @@ use crate::gpu::Gpu;
 use crate::kernel::{Slot, buffer, workgroups};
 use crate::lights::{Direct, Lighting};
 use crate::model::{Model, Program};
+use crate::one_pass::{self, Eye, OnePass};
 use crate::parts::Parts;
 use crate::resolve::Resolver;
 use crate::shade::ShadePass;
@@ -239,6 +240,38 @@ impl Picture {
         Ok(complete)
     }
 
+    /// Draws the whole picture in one pass, as exported shaders draw it, in the place of all samples.
+    pub fn draw_in_one_pass(&mut self) -> Result<()> {
+        self.restart()?;
+        let Buffers { receivers, sums, view, .. } = &self.buffers;
+        let pass = OnePass::new(&self.gpu, &self.model, &receivers.lights, sums, view)?;
+        let finest = self.levels[self.levels.len() - 1];
+        let mut took = Duration::ZERO;
+        loop {
+            let part = self.parts.current();
+            let uniform = self.uniform().at_sample(0, part, finest, false);
+            self.gpu.queue.write_buffer(view, 0, bytemuck::bytes_of(&uniform));
+            let of_part = pass.run(&self.gpu, &self.stopwatch, part.size)?;
+            took += of_part;
+            if self.parts.advance(of_part) {
+                break;
+            }
+        }
+        self.timings = Timings { sample: took, ..Timings::default() };
+        self.samples = 1;
+        Ok(())
+    }
+
+    /// What an exported shader has to know of the scene as it stands.
+    pub fn setting(&self) -> Setting {
+        one_pass::setting(&self.uniform(), &self.lighting, &self.lighting.rows(self.direct))
+    }
+
+    /// From where it is seen, as a shader has to know it.
+    pub fn eye(&self) -> Eye {
+        one_pass::eye(&self.uniform())
+    }
+
     /// The picture so far for a screen: rows from the top, red, green, blue and alpha in 8 bits of sRGB each.
     pub fn resolve(&self) -> Result<Vec<u8>> {
         self.resolver.run(&self.gpu, self.samples, self.exposure)?;
@@ -339,7 +372,7 @@ impl Picture {
     }
 
     /// Forgets all samples.
-    fn restart(&mut self) -> Result<()> {
+    pub fn restart(&mut self) -> Result<()> {
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         encoder.clear_buffer(&self.buffers.sums, 0, None);
         self.gpu.finish(encoder)?;

@@ -1,5 +1,6 @@
 //! From the sum of samples to the bytes that a screen shows.
 
+use chiaro_shader::FOR_SCREENS;
 use wgpu::{
     BindGroup, BindingResource, Buffer, BufferDescriptor, BufferUsages, COPY_BYTES_PER_ROW_ALIGNMENT, Extent3d,
     TexelCopyBufferInfo, TexelCopyBufferLayout, Texture, TextureDescriptor, TextureDimension, TextureUsages,
@@ -25,7 +26,7 @@ fn kernel(gpu: &Gpu) -> Result<Kernel> {
     if let Some(kernel) = gpu.resolve.get() {
         return Ok(kernel.clone());
     }
-    let module = naga::front::wgsl::parse_str(include_str!("resolve.wgsl"))
+    let module = naga::front::wgsl::parse_str(&[FOR_SCREENS, include_str!("resolve.wgsl")].join("\n"))
         .map_err(|error| Error::Refused(format!("resolve.wgsl: {}", error.message())))?;
     let slots = [(0, Slot::Uniform), (1, Slot::Read), (2, Slot::Pixels)];
     let kernel = Kernel::new(gpu, module, "resolve", &[&slots])?;

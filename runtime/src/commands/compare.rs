@@ -16,6 +16,9 @@ use crate::comparison::{Case, Entry, Group, report, suite};
 use crate::{compile, images, terminal};
 
 pub(crate) fn run(arguments: &Compare, global: &Global) -> Result<ExitCode> {
+    if let Some(samples) = arguments.one_pass {
+        return super::compare_one_pass::run(arguments, samples, global);
+    }
     let folder = prepared(&arguments.output)?;
     let gpu = Gpu::new(&arguments.adapter.preference())?;
     let temporary = tempfile::tempdir().context("cannot make a temporary folder")?;

@@ -40,7 +40,11 @@ fn draw(scene: &Scene, arguments: &Render, format: Format, global: &Global) -> R
                 studio.replace(&gpu, &scene, arguments)?;
             }
         }
-        studio.draw(arguments.samples, &progress)?;
+        if arguments.one_pass {
+            studio.picture.draw_in_one_pass()?;
+        } else {
+            studio.draw(arguments.samples, &progress)?;
+        }
         let path = match arguments.frames {
             Some(count) => numbered(&arguments.output, frame, count),
             None => arguments.output.clone(),

@@ -12,13 +12,13 @@ use naga::{BinaryOperator, Block, Expression, Function, Handle, Literal, Stateme
 use rustc_hash::FxHashMap;
 
 use super::numbers::slots;
-use super::paints::{Painted, Paints};
 use super::parts::Parts;
 use super::shapes::FAR;
 use super::surface::Look;
 use super::{Emission, Scope};
 use crate::build::Value;
 use crate::crowd::{GRID_ROWS, PATTERN_BITS};
+use chiaro_field::paints::{Painted, Paints};
 
 /// The crowds of a scene that is being emitted.
 pub(super) struct CrowdParts<'g> {

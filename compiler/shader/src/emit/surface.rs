@@ -4,7 +4,8 @@
 //! the weights of the joint's formula. A complement that nobody painted looks like what it is cut from. Distances are
 //! evaluated only where materials differ.
 
-use chiaro_field::{Node, NodeId, Operation};
+use chiaro_field::paints::{PaintId, Painted, is_cut};
+use chiaro_field::{Node, NodeId, Operation, linear_from_srgb};
 use chiaro_solid::{Joint, Material, Scalar};
 use chiaro_vocabulary::rows::JOINT_WEIGHT;
 use naga::{BinaryOperator, Handle, Type};
@@ -12,7 +13,6 @@ use rustc_hash::FxHashMap;
 
 use super::Scope;
 use super::blend::Joined;
-use super::paints::{PaintId, Painted, is_cut};
 use crate::build::{Builder, Value};
 
 /// A look that is not evaluated yet, or is.
@@ -284,9 +284,4 @@ impl Scope<'_, '_> {
         self.finishes.insert(numbers, finish);
         self.name(finish, "finish")
     }
-}
-
-/// Linear light from a channel of sRGB (IEC 61966-2-1).
-pub(crate) fn linear_from_srgb(channel: f64) -> f64 {
-    if channel <= 0.04045 { channel.max(0.0) / 12.92 } else { ((channel + 0.055) / 1.055).powf(2.4) }
 }

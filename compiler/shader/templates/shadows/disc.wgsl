@@ -45,9 +45,9 @@ fn disc_of(light: Light, p: vec3<f32>, n: vec3<f32>) -> Disc {
 
 /// How far along w the scene can reach, as seen from p.
 fn scene_reach(p: vec3<f32>, w: vec3<f32>) -> f32 {
-    let centre = 0.5 * (view.box_min.xyz + view.box_max.xyz);
-    let half = 0.5 * (view.box_max.xyz - view.box_min.xyz);
-    return max(dot(centre - p, w) + dot(half, abs(w)), 0.0);
+    let centre = 0.5 * (setting_box_min() + setting_box_max());
+    let extent = 0.5 * (setting_box_max() - setting_box_min());
+    return max(dot(centre - p, w) + dot(extent, abs(w)), 0.0);
 }
 
 /// Whether a point is so near to a light that it is not seen as a disc.

@@ -33,7 +33,7 @@ fn piece_of_disc(disc: Disc, across: mat3x3<f32>, up: vec2<f32>, cell: vec4<f32>
 /// The k-th of `count` pieces of a flat light or a tube, seen from p; it weighs its irradiance.
 fn piece_of_patch(light: Light, p: vec3<f32>, n: vec3<f32>, k: u32, count: u32) -> Piece {
     if light.kind.x == LIGHT_DISK {
-        return piece_of_disk(light, p, n, task.cells_of_disc[k]);
+        return piece_of_disk(light, p, n, disc_cell(k));
     }
     let a = light_corner(light, p, 0u);
     let b = light_corner(light, p, 1u);

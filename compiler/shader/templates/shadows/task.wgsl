@@ -25,6 +25,11 @@ struct Task {
     cells_of_disc: array<vec4<f32>>,
 }
 
+/// A cell of the unit disc: centre, share of the area, radius of a disc with that area.
+fn disc_cell(k: u32) -> vec4<f32> {
+    return task.cells_of_disc[k];
+}
+
 /// No axis of a dispatch may have more than 65535 workgroups.
 const GROUPS_IN_ROW: u32 = 32768u;
 

@@ -188,21 +188,21 @@ struct Surface {
 
 // The signed distance to the scene, in millimetres.
 fn scene_distance(p: vec3<f32>) -> f32 {
-    let box_a = sd_box(p, vec3<f32>(5f, 5f, 5f));
-    let point_a = p - vec3<f32>(10f, 0f, 0f);
-    let sphere_a = sd_sphere(point_a, 5f);
+    let box_a = sd_box(p, vec3(5.0, 5.0, 5.0));
+    let point_a = p - vec3(10.0, 0.0, 0.0);
+    let sphere_a = sd_sphere(point_a, 5.0);
     let union_a = min(box_a, sphere_a);
     return union_a;
 }
 
 // The material of the surface at p.
 fn scene_surface(p: vec3<f32>) -> Surface {
-    let box_a = sd_box(p, vec3<f32>(5f, 5f, 5f));
-    let color_a = vec4<f32>(0.84808826f, 0.4769998f, 0.063723795f, 1f);
-    let finish_a = vec4<f32>(0.45f, 0f, 0f, 0f);
-    let point_a = p - vec3<f32>(10f, 0f, 0f);
-    let sphere_a = sd_sphere(point_a, 5f);
-    let color_b = vec4<f32>(1f, 0f, 0f, 1f);
+    let box_a = sd_box(p, vec3(5.0, 5.0, 5.0));
+    let color_a = vec4(0.84808826, 0.4769998, 0.063723795, 1.0);
+    let finish_a = vec4(0.45, 0.0, 0.0, 0.0);
+    let point_a = p - vec3(10.0, 0.0, 0.0);
+    let sphere_a = sd_sphere(point_a, 5.0);
+    let color_b = vec4(1.0, 0.0, 0.0, 1.0);
     let wins_a = sphere_a < box_a;
     let color_c = select(color_a, color_b, wins_a);
     return Surface(color_c, finish_a);
@@ -255,13 +255,13 @@ fn maps_do_no_more_than_they_must() {
         line.unwrap_or_default().trim().to_string()
     };
     let turned = map([[0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 2.0]]);
-    assert_eq!(turned, "let point_a = vec3<f32>(p.y, -(p.x), p.z) - vec3<f32>(0f, 0f, -2f);");
+    assert_eq!(turned, "let point_a = vec3(p.y, -p.x, p.z) - vec3(0.0, 0.0, -2.0);");
     let scaled = map([[2.0, 0.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0]]);
-    assert_eq!(scaled, "let point_a = p * 2f;");
+    assert_eq!(scaled, "let point_a = p * 2.0;");
     let stretched = map([[2.0, 0.0, 0.0, 0.0], [0.0, 3.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
-    assert_eq!(stretched, "let point_a = p * vec3<f32>(2f, 3f, 1f);");
+    assert_eq!(stretched, "let point_a = p * vec3(2.0, 3.0, 1.0);");
     let sheared = map([[1.0, 0.5, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.25, 1.0, 1.0]]);
-    assert!(sheared.contains("mat3x3<f32>(vec3<f32>(1f, 0f, 0f), vec3<f32>(0.5f, 1f, 0.25f)"), "{sheared}");
+    assert!(sheared.contains("mat3x3(vec3(1.0, 0.0, 0.0), vec3(0.5, 1.0, 0.25)"), "{sheared}");
 }
 
 #[test]

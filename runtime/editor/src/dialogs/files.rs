@@ -1,23 +1,18 @@
-//! The system's dialogs for files, and saving.
-//!
-//! Each dialog runs on a thread of its own: the window goes on while it is open.
+//! Opening and saving.
 
 use std::collections::VecDeque;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use egui::{Context, ViewportCommand};
 
+use super::choice::Choice;
 use crate::app::Editor;
-use crate::document::DocumentId;
-use crate::worker::Job;
-
-/// A system's dialog that is open.
-pub(crate) type Choice = Job<Option<PathBuf>>;
+use crate::document::{Document, DocumentId};
 
 /// The dialogs and savings under way.
 #[derive(Default)]
 pub(crate) struct Files {
-    opening: Option<Job<Vec<PathBuf>>>,
+    opening: Option<Choice>,
     saving: Option<Saving>,
 }
 
@@ -43,34 +38,14 @@ pub(crate) enum Then {
 impl Files {
     /// Asks for files to open.
     pub(crate) fn choose_to_open(&mut self, context: &Context) {
-        if self.opening.is_none() {
-            self.opening = Job::start(context, |_| {
-                let dialog = rfd::FileDialog::new().set_title("Open").add_filter("Scenes", &["csg", "scad"]);
-                dialog.add_filter("All files", &["*"]).pick_files().unwrap_or_default()
-            })
-            .ok();
-        }
+        self.opening.get_or_insert_with(|| Choice::to_open(context));
     }
-}
 
-/// Asks for the name of a file to be written.
-pub(crate) fn choose_to_save(context: &Context, title: &str, before: &Path) -> Option<Choice> {
-    let (title, before) = (title.to_owned(), before.to_owned());
-    let choice = Job::start(context, move |_| {
-        let mut dialog = rfd::FileDialog::new().set_title(title);
-        if let Some(folder) = before.parent().filter(|folder| folder.is_dir()) {
-            dialog = dialog.set_directory(folder);
-        }
-        if let Some(name) = before.file_name() {
-            dialog = dialog.set_file_name(name.to_string_lossy());
-        }
-        if let Some(ending) = before.extension() {
-            let ending = ending.to_string_lossy().into_owned();
-            dialog = dialog.add_filter(ending.to_uppercase(), &[ending]);
-        }
-        dialog.save_file()
-    });
-    choice.ok()
+    /// Whether the window itself asks for a file.
+    pub(super) fn is_asking(&self) -> bool {
+        let named = self.saving.as_ref().and_then(|saving| saving.named.as_ref());
+        self.opening.iter().chain(named.map(|(_, choice)| choice)).any(Choice::is_in_window)
+    }
 }
 
 impl Editor {
@@ -80,7 +55,7 @@ impl Editor {
         self.save_then(vec![id], Then::Stay);
         if as_other && let Some(saving) = &mut self.dialogs.files.saving {
             saving.waiting.clear();
-            saving.named = named(self.session.active().path.as_deref(), context).map(|choice| (id, choice));
+            saving.named = Some((id, named(self.session.active(), context)));
         }
     }
 
@@ -97,23 +72,30 @@ impl Editor {
     }
 }
 
-fn named(path: Option<&Path>, context: &Context) -> Option<Choice> {
-    choose_to_save(context, "Save as", path.unwrap_or(Path::new("scene.csg")))
+#[cfg(test)]
+impl Files {
+    /// Saves a text as if the system had no dialog to ask for its file.
+    pub(crate) fn save_in_window(&mut self, id: DocumentId, path: &std::path::Path) {
+        let named = Some((id, Choice::in_window("Save as", path)));
+        self.saving = Some(Saving { waiting: VecDeque::new(), named, then: Then::Stay });
+    }
+}
+
+fn named(document: &Document, context: &Context) -> Choice {
+    Choice::to_save("Save as", &document.path.clone().unwrap_or_else(|| document.title().into()), context)
 }
 
 /// Goes on with what is under way.
 pub(crate) fn poll(editor: &mut Editor, context: &Context) {
-    if let Some(result) = editor.dialogs.files.opening.as_mut().and_then(Job::poll) {
+    if let Some(paths) = editor.dialogs.files.opening.as_mut().and_then(|choice| choice.poll(context)) {
         editor.dialogs.files.opening = None;
-        for path in result.unwrap_or_default() {
-            editor.open(&path);
-        }
+        paths.iter().for_each(|path| editor.open(path));
     }
     if let Some(mut saving) = editor.dialogs.files.saving.take() {
         match advance(editor, &mut saving, context) {
             Ok(true) => finish(editor, saving.then, context),
             Ok(false) => editor.dialogs.files.saving = Some(saving),
-            Err(reason) => editor.session.trouble = reason.or(editor.session.trouble.take()),
+            Err(reason) => editor.session.failure = reason.or(editor.session.failure.take()),
         }
     }
 }
@@ -122,29 +104,41 @@ pub(crate) fn poll(editor: &mut Editor, context: &Context) {
 fn advance(editor: &mut Editor, saving: &mut Saving, context: &Context) -> Result<bool, Option<String>> {
     loop {
         if let Some((id, choice)) = &mut saving.named {
-            let Some(chosen) = choice.poll() else { return Ok(false) };
-            let path = chosen.map_err(Some)?.ok_or(None)?;
-            editor.session.rename(*id, with_ending(path));
-            save(editor, *id)?;
+            let Some(chosen) = choice.poll(context) else { return Ok(false) };
+            let path = chosen.into_iter().next().ok_or(None)?;
+            save_as(editor, *id, with_ending(path))?;
             saving.named = None;
         }
         let Some(id) = saving.waiting.pop_front() else { return Ok(true) };
         let Some(document) = editor.session.documents().iter().find(|document| document.id == id) else { continue };
         match &document.path {
             Some(_) => save(editor, id)?,
-            None => saving.named = Some((id, named(None, context).ok_or(None)?)),
+            None => saving.named = Some((id, named(document, context))),
         }
     }
 }
 
+/// Saves a text to another file, which is its own from then on if that worked.
+fn save_as(editor: &mut Editor, id: DocumentId, path: PathBuf) -> Result<(), Option<String>> {
+    let path = std::path::absolute(&path).unwrap_or(path);
+    save_to(editor, id, Some(path.clone()))?;
+    editor.session.rename(id, path);
+    Ok(())
+}
+
 fn save(editor: &mut Editor, id: DocumentId) -> Result<(), Option<String>> {
+    save_to(editor, id, None)
+}
+
+/// Saves a text to its file, or to another one.
+fn save_to(editor: &mut Editor, id: DocumentId, other: Option<PathBuf>) -> Result<(), Option<String>> {
     let Some(document) = editor.session.documents_mut().iter_mut().find(|document| document.id == id) else {
         return Ok(());
     };
-    document.save().map_err(|reason| Some(format!("{} is not saved: {reason}", document.title())))?;
-    if let Some(path) = document.path.clone() {
-        editor.settings.opened(&path);
-    }
+    let Some(path) = other.or_else(|| document.path.clone()) else { return Ok(()) };
+    document.save_to(&path).map_err(|reason| Some(format!("{} is not saved: {reason}", document.title())))?;
+    editor.session.failure = None;
+    editor.settings.opened(&path);
     Ok(())
 }
 

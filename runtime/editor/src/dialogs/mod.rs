@@ -1,5 +1,6 @@
 //! What is asked in windows of its own.
 
+mod choice;
 pub(crate) mod export;
 pub(crate) mod files;
 mod keys;
@@ -30,7 +31,7 @@ pub(crate) struct Dialogs {
 impl Dialogs {
     /// Whether an answer is needed before anything else.
     pub(crate) fn is_blocking(&self) -> bool {
-        self.unsaved.is_some() || self.recovered.is_some()
+        self.unsaved.is_some() || self.recovered.is_some() || self.files.is_asking()
     }
 }
 

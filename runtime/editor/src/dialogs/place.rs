@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 
 use egui::{Context, Ui};
 
-use super::files::{Choice, choose_to_save};
-use crate::worker::Job;
+use super::choice::Choice;
 
 /// The path of a file to be written.
 pub(crate) struct Place {
@@ -33,7 +32,7 @@ impl Place {
 
     /// Shows it.
     pub(crate) fn show(&mut self, ui: &mut Ui) {
-        self.poll();
+        self.poll(ui.ctx());
         ui.horizontal(|ui| {
             let label = ui.label("File");
             let width = (ui.available_width() - 90.0).max(80.0);
@@ -46,14 +45,14 @@ impl Place {
 
     fn choose(&mut self, context: &Context) {
         if self.choice.is_none() {
-            self.choice = choose_to_save(context, "Write to", &self.path());
+            self.choice = Some(Choice::to_save("Write to", &self.path(), context));
         }
     }
 
-    fn poll(&mut self) {
-        if let Some(result) = self.choice.as_mut().and_then(Job::poll) {
+    fn poll(&mut self, context: &Context) {
+        if let Some(chosen) = self.choice.as_mut().and_then(|choice| choice.poll(context)) {
             self.choice = None;
-            if let Ok(Some(path)) = result {
+            if let Some(path) = chosen.first() {
                 self.path = path.display().to_string();
             }
         }

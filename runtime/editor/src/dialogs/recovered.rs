@@ -3,6 +3,7 @@
 use egui::{Context, Id, Modal};
 
 use crate::app::Editor;
+use crate::document::UNTITLED;
 use crate::recovery::{Found, Kept};
 
 /// Asks what to do with it.
@@ -48,7 +49,7 @@ fn open(editor: &mut Editor, found: Found) {
     for kept in &found.texts {
         let is_open = kept.path.as_ref().is_some_and(|path| editor.session.open(path).is_ok());
         if !is_open {
-            editor.session.open_text(String::new());
+            editor.session.open_text(UNTITLED, String::new());
             editor.gallery.is_left = true;
         }
         editor.session.active_mut().replace(kept.text.clone(), 0, false);

@@ -142,7 +142,7 @@ fn reveal(editor: &mut Editor, span: Span) {
         Some(index) => editor.session.activate(index),
         None => {
             if let Err(reason) = editor.session.open(std::path::Path::new(&name)) {
-                editor.session.trouble = Some(reason);
+                editor.session.failure = Some(reason);
                 return;
             }
         }

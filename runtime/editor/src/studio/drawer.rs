@@ -52,6 +52,8 @@ struct Easel {
     subject: Option<Subject>,
     wanted: Wanted,
     stage: Stage,
+    /// What is outlined changed since the last frame.
+    outline_is_due: bool,
     /// From where the scene was seen first: the studio's lights stand as seen from there.
     first_view: Option<View>,
     /// The view that frames the subject.
@@ -90,18 +92,31 @@ impl Easel {
 
     fn accept(&mut self, order: Order) {
         if let Some(subject) = order.subject {
-            (self.small, self.full, self.framing, self.inspecting) = (None, None, None, None);
-            self.subject = Some(subject);
-            self.stage = Stage::Small;
+            self.adopt(subject);
         }
         let Some(wanted) = order.wanted else { return };
         if wanted != self.wanted {
             let Wanted { samples, moving, outlined, .. } = self.wanted.clone();
             // What is outlined lies over the picture.
             let is_same_picture = Wanted { samples, moving, outlined, ..wanted.clone() } == self.wanted;
+            self.outline_is_due |= wanted.outlined != self.wanted.outlined;
             self.wanted = wanted;
             self.stage = if is_same_picture && self.stage != Stage::Small { Stage::Full } else { Stage::Small };
         }
+    }
+
+    /// Goes on with a subject: with the picture of the one before, if only places of the text changed.
+    fn adopt(&mut self, subject: Subject) {
+        let is_same_picture = self.subject.as_ref().is_some_and(|before| before.is_drawn_like(&subject));
+        if is_same_picture {
+            self.small.iter_mut().chain(&mut self.full).for_each(|canvas| canvas.adopt(&subject));
+        } else {
+            (self.small, self.full, self.inspecting) = (None, None, None);
+        }
+        let is_full = is_same_picture && self.full.is_some() && !self.wanted.moving;
+        self.stage = if is_full && self.stage != Stage::Small { Stage::Full } else { Stage::Small };
+        self.framing = None;
+        self.subject = Some(subject);
     }
 
     /// Draws for about a tenth of a second. A frame, if there is something new to show. What takes longer is given up when it
@@ -164,7 +179,8 @@ impl Easel {
         canvas.sample()?;
         let took = begun.elapsed();
         self.pace.note(size, took);
-        let mask = self.mask(view, size, goes_on)?;
+        // What was just written is to be seen first: its outline can't be known yet, and any other is out of date.
+        let mask = if self.is_first() { None } else { self.mask(view, size, goes_on)? };
         let frame = self.frame(canvas.picture(mask)?, took)?;
         self.small = Some(canvas);
         self.stage = if self.wanted.moving { Stage::Done } else { Stage::Full };
@@ -179,8 +195,10 @@ impl Easel {
         let begun = Instant::now();
         let is_complete = canvas.samples() < self.wanted.samples && canvas.step()?;
         let is_done = canvas.samples() >= self.wanted.samples;
+        // A new outline doesn't wait for the sample.
+        let is_outlined = canvas.samples() > 0 && std::mem::take(&mut self.outline_is_due);
         let is_due = canvas.samples() <= 1 || self.last_shown.is_none_or(|shown| shown.elapsed() >= SHOWN_EVERY);
-        let shown = is_done || is_complete && is_due;
+        let shown = is_done || is_complete && is_due || is_outlined || canvas.samples() > 0 && self.is_first();
         let frame = if shown {
             let mask = self.mask(view, self.wanted.size, goes_on)?;
             Some(self.frame(canvas.picture(mask)?, begun.elapsed())?)
@@ -192,6 +210,11 @@ impl Easel {
         }
         self.full = Some(canvas);
         Ok(frame)
+    }
+
+    /// Whether there was no frame of the subject yet.
+    fn is_first(&self) -> bool {
+        self.subject.as_ref().is_some_and(|subject| subject.timings.asked.is_some())
     }
 
     /// A canvas of that size: the one at hand, if it is.
@@ -237,7 +260,8 @@ impl Easel {
         }
         self.last_shown = Some(Instant::now());
         let (revision, timings, eye) = (subject.revision, *timings, self.wanted.eye);
-        Ok(Frame { revision, size, rgba, other, legend, mask, eye, view, samples, timings })
+        let scene = subject.scene.clone();
+        Ok(Frame { revision, scene, size, rgba, other, legend, mask, eye, view, samples, timings })
     }
 }
 

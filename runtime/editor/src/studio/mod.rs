@@ -56,6 +56,14 @@ pub(crate) struct Subject {
     pub(crate) timings: Timings,
 }
 
+impl Subject {
+    /// Whether a picture of the other one can become one of this: their pipelines are the same, and both have lights of their
+    /// own or neither has.
+    fn is_drawn_like(&self, other: &Subject) -> bool {
+        self.model.is_clone_of(&other.model) && self.scene.lights.is_empty() == other.scene.lights.is_empty()
+    }
+}
+
 /// What the drawing thread is asked for; what stays as it is, is left out.
 #[derive(Debug, Default)]
 pub(crate) struct Order {
@@ -67,6 +75,8 @@ pub(crate) struct Order {
 #[derive(Debug)]
 pub(crate) struct Frame {
     pub(crate) revision: u64,
+    /// What is seen.
+    pub(crate) scene: Arc<Scene>,
     /// Width and height in pixels: less than wanted while something moves.
     pub(crate) size: [u32; 2],
     /// Eight bits of sRGB and alpha each, rows from the top.

@@ -36,7 +36,7 @@ struct Bench {
 impl Bench {
     fn new(text: &str, size: [u32; 2]) -> Self {
         let mut session = Session::new(Preference::Software, || {}).unwrap();
-        session.open_text(text.to_owned());
+        session.open_text("scene.csg", text.to_owned());
         // The first frame is the same whether better ones follow or not; here none do, so that edits don't wait for them.
         session.want(Wanted { size, samples: 1, moving: true, ..Wanted::default() });
         session.text_changed();

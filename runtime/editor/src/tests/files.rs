@@ -73,6 +73,62 @@ fn texts_are_saved_and_shaders_exported() {
 }
 
 #[test]
+fn what_is_opened_beside_another_text_is_drawn() {
+    let mut person = Person::with_files(&[("main.csg", "cube(4);\n"), ("other.csg", "cube(9);\n")]);
+    person.until_drawn();
+    let other = person.file("other.csg");
+    person.editor_mut().open(&other);
+    person.until("drawn", |editor| reach(editor) == 9.0);
+    assert_eq!(person.editor().session.active().title(), "other.csg");
+    // Closing a text before the one that is edited keeps that.
+    person.editor_mut().session.close(0);
+    person.frames(2);
+    assert_eq!(person.text(), "cube(9);\n");
+}
+
+#[test]
+fn several_texts_without_files_are_drawn_each_as_it_is() {
+    let mut person = Person::before(tempfile::tempdir().unwrap(), Vec::new());
+    person.presses(Modifiers::COMMAND, Key::N);
+    person.types("cube(4);");
+    person.until("drawn", |editor| editor.session.shown.is_some() && reach(editor) == 4.0);
+    person.until_drawn();
+    // It began empty: it is framed nevertheless.
+    let distance = person.editor().viewport.drawn.unwrap().distance;
+    assert!(distance < 60.0, "a cube of 4 mm is seen from {distance} mm");
+    person.presses(Modifiers::COMMAND, Key::N);
+    person.types("cube(9);");
+    person.until("drawn", |editor| reach(editor) == 9.0);
+    let titles: Vec<String> = person.editor().session.documents().iter().map(|document| document.title()).collect();
+    assert_eq!(titles, ["untitled.csg", "untitled_2.csg"]);
+    person.clicks_on("untitled.csg •");
+    person.until("drawn", |editor| reach(editor) == 4.0);
+}
+
+#[test]
+fn a_text_without_a_file_is_saved_where_the_user_says() {
+    let mut person = Person::before(tempfile::tempdir().unwrap(), Vec::new());
+    person.presses(Modifiers::COMMAND, Key::N);
+    person.types("cube(4);");
+    person.until_drawn();
+    let nowhere = person.file("missing/part.csg");
+    let id = person.editor().session.active().id;
+    person.editor_mut().dialogs.files.save_in_window(id, &nowhere);
+    person.frames(3);
+    person.sees("saving");
+    person.clicks_on("OK");
+    person.until("refused", |editor| editor.session.failure.is_some());
+    assert!(person.editor().session.active().path.is_none() && person.editor().session.active().is_modified());
+    let path = person.file("part");
+    person.editor_mut().dialogs.files.save_in_window(id, &path);
+    person.frames(3);
+    person.presses(Modifiers::NONE, Key::Enter);
+    person.until("saved", |editor| !editor.session.active().is_modified());
+    assert_eq!(fs::read_to_string(person.file("part.csg")).unwrap(), "cube(4);");
+    assert!(person.editor().session.failure.is_none());
+}
+
+#[test]
 fn an_empty_editor_offers_examples() {
     let mut person = Person::before(tempfile::tempdir().unwrap(), Vec::new());
     person.frames(3);

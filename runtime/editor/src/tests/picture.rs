@@ -37,6 +37,18 @@ fn a_caret_in_an_expression_outlines_its_surface() {
 }
 
 #[test]
+fn an_edit_beside_the_field_keeps_the_picture() {
+    let mut person = Person::with(SCENE);
+    person.until_linked();
+    person.goes_to("translate([-12");
+    person.until("settled", |editor| editor.viewport.is_outlined());
+    let samples = person.editor().viewport.samples;
+    person.types("/**/ ");
+    person.until("of the new text", |editor| editor.session.is_compiled() && !editor.session.is_outdated());
+    assert_eq!(person.editor().viewport.samples, samples, "the picture began anew");
+}
+
+#[test]
 fn dragging_turns_the_scene() {
     let mut person = Person::with(SCENE);
     person.until_drawn();

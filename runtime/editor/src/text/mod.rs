@@ -54,7 +54,7 @@ pub(crate) struct TextPanel {
     aside: Vec<egui::Event>,
     /// The caret has to be scrolled to.
     shows_caret: bool,
-    wants_focus: bool,
+    pub(crate) wants_focus: bool,
 }
 
 /// Shows the open texts.

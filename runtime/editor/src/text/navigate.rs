@@ -27,7 +27,7 @@ pub(super) fn to_definition(editor: &mut Editor, at: usize) {
         Some(index) => editor.session.activate(index),
         None => {
             if let Err(reason) = editor.session.open(Path::new(&place.file)) {
-                editor.session.trouble = Some(reason);
+                editor.session.failure = Some(reason);
                 return;
             }
         }

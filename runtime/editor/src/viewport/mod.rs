@@ -12,6 +12,7 @@ mod wipe;
 pub(crate) use overlay::{frame_selection, looks, views};
 pub(crate) use selection::Selection;
 
+use chiaro_compiler::Scene;
 use chiaro_compiler::shader::Shadows;
 use chiaro_render::{Direct, View};
 use egui::{Align2, Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, Vec2, pos2};
@@ -146,7 +147,10 @@ fn put(texture: &mut Option<TextureHandle>, ui: &Ui, name: &str, image: ColorIma
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     begin_with_new_text(editor);
     if let Some(frame) = editor.session.frame.take() {
-        let keeps_view = editor.viewport.eye != Eye::Scene || !has_camera(editor);
+        // What begins empty is framed when there is something.
+        let is_open =
+            editor.viewport.eye == Eye::Scene && (has_camera(&frame.scene) || frame.scene.dimension().is_none());
+        let keeps_view = !is_open;
         editor.viewport.take(ui, *frame, keeps_view);
     }
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
@@ -173,9 +177,8 @@ fn begin_with_new_text(editor: &mut Editor) {
 }
 
 /// Whether the scene says from where it is seen.
-fn has_camera(editor: &Editor) -> bool {
-    let Some(shown) = &editor.session.shown else { return true };
-    let camera = &shown.scene.camera;
+fn has_camera(scene: &Scene) -> bool {
+    let camera = &scene.camera;
     camera.target.is_some() || camera.eye.is_some() || camera.rotation.is_some() || camera.distance.is_some()
 }
 

@@ -35,10 +35,10 @@ fn cells(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) group
         let disc = disc_of(light, o, n);
         let across = basis_across(disc.w);
         let uphill = vec2<f32>(dot(n, across[0]), dot(n, across[1]));
-        piece = piece_of_disc(disc, across, uphill / max(length(uphill), 1e-9), task.cells_of_disc[group.z]);
+        piece = piece_of_disc(disc, across, uphill / max(length(uphill), 1e-9), disc_cell(group.z));
     }
     let contact = -answer.x;
-    var m = march_along(piece.w, piece.sine, piece.t_max, n, offset, task.following, 0.6);
+    var m = march_along(piece.w, piece.sine, piece.t_max, n, offset, task.following, 0.6, false);
     // Near the receiver cells begin at its tangent plane, far from it where the whole light was still free.
     let starts_ahead = contact > 25.0 * offset;
     var evaluations = 0u;

@@ -16,8 +16,10 @@
 /// See `sums.wgsl`.
 @group(1) @binding(7) var<storage, read> sums: array<u32>;
 
-/// By how much the cubics may differ from each other and from the straight lines.
+/// By how much the cubics may differ from each other and from the straight lines, for eight cells or fewer: about as much
+/// as the cells err. More cells are asked for by whoever wants less.
 const AGREEMENT: f32 = 0.02;
+const CELLS_OF_AGREEMENT: f32 = 8.0;
 
 /// A neighbour: V, and whether it counts.
 struct Neighbour {
@@ -86,7 +88,8 @@ fn prediction(index: u32) -> f32 {
         before = curved;
         sum += 0.5 * curved;
     }
-    return select(-1.0, clamp(sum, 0.0, 1.0), apart < AGREEMENT);
+    let agreement = AGREEMENT * min(1.0, CELLS_OF_AGREEMENT / f32(task.cells));
+    return select(-1.0, clamp(sum, 0.0, 1.0), apart < agreement);
 }
 
 /// The receiver so many pixels off, which counts if it lies on the same smooth surface and its V is of the same light.

@@ -75,7 +75,7 @@ fn gate_of(receiver: Receiver, light: Light) -> Gate {
     let width = select(1.0, min(1.0, sqrt(1.0 - h * h + 0.25 * (1.0 + h) * (1.0 + h))), h < 0.0);
     let w = normalize(disc.w + disc.tangent * (across[0] * aim.x + across[1] * aim.y));
     let least_step = select(0.6, 0.1, is_single);
-    var m = march_along(w, disc.sine * width, disc.t_max, n, receiver.p.w, task.looking, least_step);
+    var m = march_along(w, disc.sine * width, disc.t_max, n, receiver.p.w, task.looking, least_step, true);
     var contact = -1.0;
     var evaluations = 0u;
     while !m.over && evaluations < MOST_GATE_EVALUATIONS {
@@ -86,6 +86,7 @@ fn gate_of(receiver: Receiver, light: Light) -> Gate {
         if m.touched && contact < 0.0 {
             // Look on from here along the axis, more carefully, whether all of the light is covered.
             contact = m.t;
+            m.looking = false;
             m.planar = task.following;
             m.least = UNBOUNDED;
             m.careful = false;

@@ -12,8 +12,9 @@
 
 /// The ε of the minimal cone: a cone that is slimmer by less is not looked for.
 const TOLERANCE: f32 = 0.1;
-/// The most evaluations of a march for a part of a light.
-const MOST_CELL_EVALUATIONS: u32 = 64u;
+/// The most evaluations of a march for a part of a light. Slim cones along an edge take many small steps; one that is
+/// given up counts what it has not yet reached as free.
+const MOST_CELL_EVALUATIONS: u32 = 192u;
 /// No bound: the minimum is at an end of the interval.
 const UNBOUNDED: f32 = 1e9;
 
@@ -29,6 +30,10 @@ struct March {
     planar: f32,
     /// The shortest step, of ρ.
     least_step: f32,
+    /// Whether it looks for contact only, and goes on from before it.
+    looking: bool,
+    /// Whether what two samples leave open between them is asked, or else guessed.
+    proves: bool,
     /// n·w, the slope of the receiver's own tangent plane; and whether the cone cuts that.
     own_slope: f32,
     own: bool,
@@ -52,12 +57,12 @@ struct March {
     third: vec2<f32>,
 }
 
-fn march_along(w: vec3<f32>, sine: f32, t_max: f32, n: vec3<f32>, offset: f32, planar: f32, least_step: f32) -> March {
+fn march_along(w: vec3<f32>, sine: f32, t_max: f32, n: vec3<f32>, offset: f32, planar: f32, least_step: f32, looking: bool) -> March {
     let own_slope = dot(n, w);
     let none = vec2<f32>(0.0);
     return March(
-        w, sine, t_max, offset, planar, least_step, own_slope, own_slope < 1.02 * sine, 0.0, offset, own_slope, UNBOUNDED,
-        false, false, t_max <= 0.0, 0.0, 0u, none, none, none,
+        w, sine, t_max, offset, planar, least_step, looking, true, own_slope, own_slope < 1.02 * sine, 0.0, offset, own_slope,
+        UNBOUNDED, false, false, t_max <= 0.0, 0.0, 0u, none, none, none,
     );
 }
 
@@ -111,7 +116,7 @@ fn march_takes(march: March, t: f32, f: f32) -> March {
             let worth = min(m.sine, min(m.least, min(ratio1, ratio2)) - TOLERANCE * m.sine);
             let fine = select(0.02, 0.15, bound.x > 0.0) * m.sine * t2 + unit;
             let own_plane = m.own && is_own_plane(m, m.t, m.f) && is_own_plane(m, t2, f2);
-            if bound.x < worth && step > fine && m.waiting < 3u && !own_plane {
+            if m.proves && bound.x < worth && step > fine && m.waiting < 3u && !own_plane {
                 m.ask = clamp(bound.y, m.t + 0.12 * step, t2 - 0.12 * step);
                 break;
             }
@@ -132,8 +137,7 @@ fn march_takes(march: March, t: f32, f: f32) -> March {
         }
         if m.least < m.sine && (!m.own || !is_own_plane(m, t2, f2)) {
             m.touched = true;
-            if m.planar == task.looking {
-                // Whoever only looks for contact goes on from before it.
+            if m.looking {
                 m.waiting = 0u;
                 break;
             }

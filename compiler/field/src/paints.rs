@@ -1,21 +1,22 @@
 //! Who painted what.
 
-use chiaro_field::{Graph, Node, NodeId, Operation};
 use chiaro_solid::{Material, Scalar};
 use rustc_hash::FxHashMap;
 
+use crate::graph::{Graph, Node, NodeId, Operation};
+
 /// The number of a material, equal ones counted once.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct PaintId(usize);
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct PaintId(pub usize);
 
 impl PaintId {
     /// What nobody painted.
-    pub(super) const UNPAINTED: PaintId = PaintId(0);
+    pub const UNPAINTED: PaintId = PaintId(0);
 }
 
 /// Who painted a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Painted {
+pub enum Painted {
     /// Nobody: it looks as its surroundings say.
     Nobody,
     /// All of it has one material.
@@ -25,14 +26,16 @@ pub(super) enum Painted {
 }
 
 /// The materials of a scene.
-pub(super) struct Paints {
+#[derive(Clone, Debug)]
+pub struct Paints {
     materials: Vec<Material>,
     /// Who painted each node.
     painted: Vec<Painted>,
 }
 
 impl Paints {
-    pub(super) fn new(graph: &Graph) -> Self {
+    /// The materials of a graph.
+    pub fn new(graph: &Graph) -> Self {
         let mut materials = vec![Material::default()];
         let mut known = FxHashMap::default();
         let paints: Vec<PaintId> = (graph.materials.iter())
@@ -56,12 +59,17 @@ impl Paints {
     }
 
     /// The material of a paint.
-    pub(super) fn material(&self, paint: PaintId) -> &Material {
+    pub fn material(&self, paint: PaintId) -> &Material {
         &self.materials[paint.0]
     }
 
+    /// All materials, by the numbers of their paints.
+    pub fn materials(&self) -> &[Material] {
+        &self.materials
+    }
+
     /// Who painted the node.
-    pub(super) fn painted(&self, id: NodeId) -> Painted {
+    pub fn painted(&self, id: NodeId) -> Painted {
         self.painted[id.0 as usize]
     }
 }
@@ -93,6 +101,6 @@ fn painted_together(graph: &Graph, painted: &[Painted], operation: Operation, ch
 }
 
 /// Whether the child of such a Boolean takes something away.
-pub(super) fn is_cut(graph: &Graph, operation: Operation, child: NodeId) -> bool {
+pub fn is_cut(graph: &Graph, operation: Operation, child: NodeId) -> bool {
     operation == Operation::Intersection && matches!(graph.nodes[child.0 as usize], Node::Negate(_))
 }

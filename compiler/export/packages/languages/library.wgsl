@@ -1,0 +1,6 @@
+{{ about }}
+//
+// scene_distance(p), scene_gradient(p, h) and scene_surface(p) are what to call; h is how far around p to ask, such as 0.001 of
+// the size of what is seen.
+
+{{ code }}

@@ -1,0 +1,100 @@
+//! What the texts around a scene's functions may mention of it.
+
+use chiaro_syntax::Diagnostic;
+use minijinja::syntax::SyntaxConfig;
+use minijinja::value::Serde;
+use minijinja::{Environment, UndefinedBehavior, Value};
+use serde::Serialize;
+
+use crate::parameters::Parameter;
+use crate::source::described;
+use crate::subject::Scene;
+
+const ABOUT: &str = include_str!("../packages/languages/about.txt");
+
+/// What templates know.
+#[derive(Serialize)]
+pub(crate) struct Context<'a> {
+    title: &'a str,
+    /// What a text starts with, as comments.
+    about: String,
+    version: &'static str,
+    parameters: Vec<Live>,
+    /// The shader code.
+    code: &'a str,
+    box_min: [f64; 3],
+    box_max: [f64; 3],
+    lipschitz: f32,
+    eye: [f64; 3],
+    target: [f64; 3],
+    up: [f64; 3],
+    /// The vertical field of view in degrees.
+    field_of_view: f64,
+    aspect: f64,
+}
+
+/// A live parameter.
+#[derive(Serialize)]
+struct Live {
+    name: String,
+    label: String,
+    /// What people read of it.
+    text: String,
+    default: f64,
+    min: f64,
+    max: f64,
+    step: f64,
+    is_time: bool,
+}
+
+impl<'a> Context<'a> {
+    pub(crate) fn new(scene: &'a Scene, parameters: &[Parameter], code: &'a str) -> Result<Self, Diagnostic> {
+        let live = |parameter: &Parameter| Live {
+            name: parameter.name.clone(),
+            label: parameter.label.clone(),
+            text: described(parameter),
+            default: parameter.default,
+            min: parameter.min,
+            max: parameter.max,
+            // Without a step of the scene's own, a slider has a thousand.
+            step: parameter.step.unwrap_or((parameter.max - parameter.min) / 1000.0),
+            is_time: parameter.is_time,
+        };
+        let camera = &scene.camera;
+        // To the micrometre: a box that is slightly larger does no harm.
+        let rounded = |x: f32, by: f64| (f64::from(x) * 1e3 + by).round() / 1e3;
+        let [box_min, box_max] = scene.setting.bounds;
+        let (box_min, box_max) = (box_min.map(|x| rounded(x, -0.5)), box_max.map(|x| rounded(x, 0.5)));
+        let mut context = Self {
+            title: scene.title,
+            about: String::new(),
+            version: env!("CARGO_PKG_VERSION"),
+            parameters: parameters.iter().map(live).collect(),
+            code,
+            box_min,
+            box_max,
+            lipschitz: scene.setting.lipschitz,
+            eye: camera.eye,
+            target: camera.target,
+            up: camera.up,
+            field_of_view: 2.0 * camera.half_height.atan().to_degrees(),
+            aspect: camera.aspect,
+        };
+        context.about = context.fill(ABOUT)?.trim_end().to_owned();
+        Ok(context)
+    }
+
+    /// A template filled in.
+    pub(crate) fn fill(&self, template: &str) -> Result<String, Diagnostic> {
+        let mut environment = Environment::new();
+        environment.set_undefined_behavior(UndefinedBehavior::Strict);
+        // Lines of instructions leave nothing behind.
+        let failed = |error: minijinja::Error| {
+            Diagnostic::error(None, format!("a text of this export can't be made: {error:#}"))
+        };
+        let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).keep_trailing_newline(true).build();
+        environment.set_syntax(syntax.map_err(failed)?);
+        environment.add_filter("float", |value: f64| crate::parameters::number(value));
+        environment.render_str(template, Value::from(Serde(self))).map_err(failed)
+    }
+}

@@ -1,0 +1,21 @@
+//! Writes scenes as shader code for other programs: as libraries and programs in shading languages, and as the files that
+//! engines and pages take.
+//!
+//! * [`Source`] is a scene's functions as one WGSL text, with live parameters under their own names.
+//! * [`translate`] says the same in GLSL, HLSL or Metal: comments, loops and names stay as they are.
+//! * [`export`] puts that into a [`Target`]'s templates (the folder `packages`).
+
+mod context;
+mod languages;
+mod packages;
+mod parameters;
+mod source;
+mod subject;
+mod target;
+mod translate;
+
+pub use parameters::{Parameter, snake_case};
+pub use source::Source;
+pub use subject::{Camera, Scene};
+pub use target::{File, Language, Package, Target, export};
+pub use translate::{Dialect, Parameters, TranslationError, translate};

@@ -1,0 +1,68 @@
+//! The programs that scenes are exported to.
+
+use chiaro_syntax::Diagnostic;
+
+use crate::subject::Scene;
+use crate::{languages, packages};
+
+/// What a scene can be exported to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Target {
+    /// Functions in a shading language.
+    Library(Language),
+    /// A whole program in a shading language, which draws the scene.
+    Program(Language),
+    /// The files of an engine.
+    Package(Package),
+}
+
+/// A shading language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum Language {
+    Wgsl,
+    Glsl330,
+    Glsl450,
+    GlslEs300,
+    /// Shader model 5 and later.
+    Hlsl,
+    Metal,
+    /// Only whole programs.
+    SpirV,
+}
+
+/// What takes a scene as files of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum Package {
+    Shadertoy,
+    GlslViewer,
+    /// A page that draws with WebGL 2.
+    WebGl,
+    /// A page that draws with WebGPU.
+    WebGpu,
+}
+
+/// A file of an export.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// Its path within the export's folder; empty, if the export is this file alone.
+    pub path: String,
+    /// What is in it.
+    pub bytes: Vec<u8>,
+}
+
+impl File {
+    pub(crate) fn alone(text: impl Into<Vec<u8>>) -> Vec<Self> {
+        vec![Self { path: String::new(), bytes: text.into() }]
+    }
+}
+
+/// The files of an export. An error tells what the target can't express.
+pub fn export(scene: &Scene, target: Target) -> Result<Vec<File>, Diagnostic> {
+    match target {
+        Target::Library(language) => languages::library(scene, language),
+        Target::Program(language) => languages::program(scene, language),
+        Target::Package(package) => packages::files(scene, package),
+    }
+}

@@ -1,0 +1,149 @@
+//! Asking for files: by the system's dialog, or in the window itself where the system has none.
+//!
+//! The system's dialog runs on a thread of its own: the window goes on while it is open.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use egui::{Context, Id, Key, Modal, TextEdit};
+
+use crate::worker::Job;
+
+/// Nobody answers a dialog so fast: it did not open.
+const IMMEDIATE: Duration = Duration::from_millis(300);
+
+/// A question for files that is open.
+pub(crate) struct Choice {
+    title: &'static str,
+    before: PathBuf,
+    asking: Asking,
+}
+
+enum Asking {
+    System(Job<Vec<PathBuf>>, Instant),
+    /// The path as it is being typed, and whether the field was shown already.
+    Window(String, bool),
+}
+
+impl Choice {
+    /// Asks for files to open.
+    pub(crate) fn to_open(context: &Context) -> Self {
+        let folder = std::env::current_dir().unwrap_or_default().join("");
+        Self::new("Open", folder, context, |dialog| {
+            let dialog = dialog.add_filter("Scenes", &["csg", "scad"]).add_filter("All files", &["*"]);
+            dialog.pick_files().unwrap_or_default()
+        })
+    }
+
+    /// Asks for the name of a file to be written.
+    pub(crate) fn to_save(title: &'static str, before: &Path, context: &Context) -> Self {
+        let before = std::path::absolute(before).unwrap_or_else(|_| before.to_owned());
+        let wanted = before.clone();
+        Self::new(title, before, context, move |mut dialog| {
+            if let Some(folder) = wanted.parent().filter(|folder| folder.is_dir()) {
+                dialog = dialog.set_directory(folder);
+            }
+            if let Some(name) = wanted.file_name() {
+                dialog = dialog.set_file_name(name.to_string_lossy());
+            }
+            if let Some(ending) = wanted.extension() {
+                let ending = ending.to_string_lossy().into_owned();
+                dialog = dialog.add_filter(ending.to_uppercase(), &[ending]);
+            }
+            dialog.save_file().into_iter().collect()
+        })
+    }
+
+    fn new(
+        title: &'static str,
+        before: PathBuf,
+        context: &Context,
+        ask: impl FnOnce(rfd::FileDialog) -> Vec<PathBuf> + Send + 'static,
+    ) -> Self {
+        let start = || Job::start(context, move |_| ask(rfd::FileDialog::new().set_title(title))).ok();
+        let asking = match has_system_dialog().then(start).flatten() {
+            Some(job) => Asking::System(job, Instant::now()),
+            None => Asking::in_window(&before),
+        };
+        Self { title, before, asking }
+    }
+
+    /// Asks in the window.
+    #[cfg(test)]
+    pub(super) fn in_window(title: &'static str, before: &Path) -> Self {
+        Self { title, before: before.to_owned(), asking: Asking::in_window(before) }
+    }
+
+    /// Whether the window itself asks.
+    pub(super) fn is_in_window(&self) -> bool {
+        matches!(self.asking, Asking::Window(..))
+    }
+
+    /// The answer, once it is there: no file, if the user wants none.
+    pub(super) fn poll(&mut self, context: &Context) -> Option<Vec<PathBuf>> {
+        match &mut self.asking {
+            Asking::System(job, asked) => match job.poll()? {
+                Ok(files) if !files.is_empty() || asked.elapsed() > IMMEDIATE => Some(files),
+                _ => {
+                    self.asking = Asking::in_window(&self.before);
+                    self.poll(context)
+                }
+            },
+            Asking::Window(path, is_shown) => ask_in_window(self.title, path, is_shown, context),
+        }
+    }
+}
+
+impl Asking {
+    fn in_window(before: &Path) -> Self {
+        Self::Window(before.display().to_string(), false)
+    }
+}
+
+/// Whether the system may have a dialog. On Linux that is asked for over D-Bus, or else of `zenity`.
+fn has_system_dialog() -> bool {
+    if !cfg!(target_os = "linux") {
+        return true;
+    }
+    let has_bus = || {
+        std::env::var_os("XDG_RUNTIME_DIR").is_some_and(|folder| Path::new(&folder).join("bus").exists())
+            || std::env::var_os("DBUS_SESSION_BUS_ADDRESS").is_some()
+    };
+    let has_zenity = || {
+        let path = std::env::var_os("PATH").unwrap_or_default();
+        std::env::split_paths(&path).any(|folder| folder.join("zenity").exists())
+    };
+    has_bus() || has_zenity()
+}
+
+/// Asks for a path in a field of the window.
+fn ask_in_window(
+    title: &'static str,
+    path: &mut String,
+    is_shown: &mut bool,
+    context: &Context,
+) -> Option<Vec<PathBuf>> {
+    let (mut is_meant, mut is_declined) = (false, false);
+    let modal = Modal::new(Id::unique("path")).show(context, |ui| {
+        ui.set_width(420.0);
+        ui.heading(title);
+        ui.add_space(6.0);
+        ui.horizontal(|ui| {
+            let label = ui.label("File");
+            let field = ui.add(TextEdit::singleline(path).desired_width(f32::INFINITY)).labelled_by(label.id);
+            if !std::mem::replace(is_shown, true) {
+                field.request_focus();
+            }
+            is_meant = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        });
+        ui.add_space(10.0);
+        ui.horizontal(|ui| {
+            is_meant |= ui.button("OK").clicked();
+            is_declined = ui.button("Cancel").clicked();
+        });
+    });
+    if is_meant && !path.trim().is_empty() {
+        return Some(vec![PathBuf::from(path.trim())]);
+    }
+    (is_declined || modal.should_close()).then(Vec::new)
+}
