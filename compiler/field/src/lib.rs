@@ -4,6 +4,7 @@
 //! * [`lower()`] makes one of a solid tree. It fuses transforms, shares what is equal and leaves out what is not seen.
 //! * [`lower_with_lineage()`] keeps, beside the graph, what each solid came to: for editors, which go from a surface back
 //!   to the text.
+//! * [`crowd`] finds the large unions of which little matters at any one place, and what matters where.
 //! * [`Evaluator`] answers distances and gradients; [`Graph::bounds_at`] boxes at certain values of live numbers.
 //! * [`Painter`] answers how the surface looks; [`paints`] tells who painted what.
 //! * [`print()`] shows a graph as text.
@@ -13,6 +14,7 @@
 
 mod at;
 mod build;
+pub mod crowd;
 pub mod evaluate;
 mod extent;
 pub mod facts;
@@ -27,6 +29,7 @@ mod print;
 mod walk;
 
 pub use chiaro_vocabulary::{Bounds, Class};
+pub use crowd::Crowds;
 pub use evaluate::Evaluator;
 pub use facts::Facts;
 pub use graph::{Graph, MaterialId, Node, NodeId, Operation, Point, PointId};

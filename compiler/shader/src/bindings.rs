@@ -16,3 +16,9 @@ pub const GLOSS: ResourceBinding = ResourceBinding { group: 0, binding: 3 };
 
 /// The group of the template's own buffers and textures.
 pub const OWN_GROUP: u32 = 1;
+
+/// The storage buffer of crowds, `array<vec4<u32>>`. Only in modules that loop over members of crowds.
+pub const CROWDS: ResourceBinding = ResourceBinding { group: 0, binding: 4 };
+
+/// The uniform of crowds' grids, `array<vec4<u32>, 24>`. Only in modules that loop over members of crowds.
+pub const CROWD_GRIDS: ResourceBinding = ResourceBinding { group: 0, binding: 5 };

@@ -76,6 +76,13 @@ impl Builder {
         self.add(Expression::FunctionArgument(0))
     }
 
+    /// A new argument behind the others.
+    pub(crate) fn another_argument(&mut self, name: &str, ty: Handle<Type>) -> Value {
+        let index = self.function.arguments.len() as u32;
+        self.function.arguments.push(FunctionArgument { name: Some(name.to_string()), ty, binding: None });
+        self.add(Expression::FunctionArgument(index))
+    }
+
     /// A number.
     pub(crate) fn literal(&mut self, value: f32) -> Value {
         if let Some(&literal) = self.literals.get(&value.to_bits()) {

@@ -1,4 +1,4 @@
-//! Emission: the field graph as straight-line functions.
+//! Emission: the field graph as straight-line functions, or with loops over the members of crowds.
 //!
 //! * Every shape and operator of the vocabulary is a call of its function; nothing of it is repeated here.
 //! * A [`Scope`] is one function of the point `p`. Within it each point and node is evaluated once.
@@ -6,6 +6,7 @@
 //! * Constants are literals. Live numbers are loaded from a uniform, large outlines from a storage buffer.
 
 mod blend;
+mod crowds;
 mod guards;
 mod numbers;
 mod parts;
@@ -15,7 +16,7 @@ mod shapes;
 mod surface;
 
 use chiaro_field::paints::Paints;
-use chiaro_field::{Graph, NodeId, PointId};
+use chiaro_field::{Crowds, Graph, NodeId, PointId};
 use chiaro_solid::Scalar;
 use chiaro_syntax::{Diagnostic, Span};
 use chiaro_vocabulary::Row;
@@ -28,7 +29,8 @@ use crate::names::Names;
 use crate::tables::{Tables, TablesBuilder};
 use crate::template::Parsed;
 
-/// The most nodes a scene may have to be emitted as straight-line code, which drivers take long to compile.
+/// The most nodes of a scene that may become straight-line code, which drivers take long to compile. Members of crowds don't
+/// count.
 pub const MAX_NODES: usize = 20_000;
 
 /// How far from the origin a scene may reach, in millimetres: the vocabulary's FAR, to which there is nothing, and whose
@@ -55,22 +57,60 @@ pub(crate) struct OwnFunction {
 /// What a value that comes from an expression is to be called, if anything is known about that.
 type ToldNames<'g> = &'g dyn Fn(Span) -> Option<String>;
 
-/// Emits `scene_distance` and `scene_surface` in the place of a template's stubs.
+/// Emits `scene_distance` and `scene_surface` in the place of a template's stubs, all of it as straight-line code.
 pub(crate) fn emit<'g>(
     graph: &'g Graph,
     template: &'static Parsed,
     told: ToldNames<'g>,
 ) -> Result<Emitted, Diagnostic> {
-    check_size(graph)?;
-    let mut emission = Emission::new(graph, template, told);
+    static NONE: Crowds = Crowds { crowds: Vec::new(), patterns: Vec::new() };
+    emit_all(graph, &NONE, template, told)
+}
+
+/// The same with loops over the members of these crowds; if there are any, of a template that knows of crowds.
+pub(crate) fn emit_with_crowds(
+    graph: &Graph,
+    crowds: &Crowds,
+    template: &'static Parsed,
+) -> Result<Emitted, Diagnostic> {
+    emit_all(graph, crowds, template, &|_| None)
+}
+
+fn emit_all<'g>(
+    graph: &'g Graph,
+    crowds: &'g Crowds,
+    template: &'static Parsed,
+    told: ToldNames<'g>,
+) -> Result<Emitted, Diagnostic> {
+    check_size(graph, crowds)?;
+    let mut emission = Emission::new(graph, crowds, template, told);
     emission.scene_distance();
-    emission.scene_surface(template);
+    emission.scene_surface();
     emission.finish()
 }
 
-fn check_size(graph: &Graph) -> Result<(), Diagnostic> {
+/// How many nodes become code.
+fn emitted_nodes(graph: &Graph, crowds: &Crowds) -> usize {
+    let patterns = crowds.patterns.iter().map(|pattern| pattern.graph.nodes.len()).sum::<usize>();
+    let mut is_member = vec![false; graph.nodes.len()];
+    for member in crowds.crowds.iter().flat_map(|crowd| &crowd.members) {
+        is_member[member.node.0 as usize] = true;
+    }
+    let mut counts = vec![false; graph.nodes.len()];
+    counts[graph.root.0 as usize] = true;
+    // What refers stands behind what it refers to.
+    for (index, node) in graph.nodes.iter().enumerate().rev().filter(|(index, _)| *index <= graph.root.0 as usize) {
+        let children = node.children().iter().filter(|child| !is_member[child.0 as usize]);
+        if counts[index] {
+            children.for_each(|child| counts[child.0 as usize] = true);
+        }
+    }
+    patterns + counts.into_iter().filter(|counts| *counts).count()
+}
+
+fn check_size(graph: &Graph, crowds: &Crowds) -> Result<(), Diagnostic> {
     let root = graph.spans.get(graph.root.0 as usize).copied();
-    let count = graph.nodes.len();
+    let count = emitted_nodes(graph, crowds);
     if count > MAX_NODES {
         let message = format!("too many shapes for one shader: {count}, of at most {MAX_NODES}");
         return Err(Diagnostic::error(root, message)
@@ -99,9 +139,17 @@ struct Emission<'g> {
     names: Names,
     node_names: FxHashMap<NodeId, String>,
     point_names: FxHashMap<PointId, String>,
-    numbers: numbers::Numbers<'g>,
+    /// Where live numbers are.
+    slots: FxHashMap<&'g Scalar, usize>,
+    /// The uniform of live numbers.
+    live_variable: Option<Handle<GlobalVariable>>,
     parts: parts::Parts,
     paints: Paints,
+    crowds: crowds::CrowdParts<'g>,
+    /// Whether the graph is a pattern's.
+    is_in_pattern: bool,
+    /// The type `Surface`.
+    surface_type: Handle<Type>,
     tables: TablesBuilder,
     tables_variable: Option<Handle<GlobalVariable>>,
     /// The functions of outlines and polytopes.
@@ -116,7 +164,9 @@ struct Emission<'g> {
 }
 
 impl<'g> Emission<'g> {
-    fn new(graph: &'g Graph, template: &'static Parsed, told: ToldNames<'g>) -> Self {
+    fn new(graph: &'g Graph, crowds: &'g Crowds, template: &'static Parsed, told: ToldNames<'g>) -> Self {
+        let stub = &template.module.functions[template.functions["scene_surface"]];
+        let Some(surface) = &stub.result else { unreachable!("scene.wgsl declares the result") };
         let mut linker = Linker::new(template);
         let types = Types::of(linker.module());
         Self {
@@ -127,9 +177,13 @@ impl<'g> Emission<'g> {
             names: Names::new(template.functions.keys().cloned()),
             node_names: FxHashMap::default(),
             point_names: FxHashMap::default(),
-            numbers: numbers::Numbers::new(graph),
+            slots: numbers::slots(graph),
+            live_variable: None,
             parts: parts::Parts::new(graph),
             paints: Paints::new(graph),
+            crowds: crowds::CrowdParts::new(crowds),
+            is_in_pattern: false,
+            surface_type: surface.ty,
             tables: TablesBuilder::default(),
             tables_variable: None,
             pieces: FxHashMap::default(),
@@ -148,12 +202,10 @@ impl<'g> Emission<'g> {
         self.replace("scene_distance", function);
     }
 
-    fn scene_surface(&mut self, template: &Parsed) {
-        let stub = &template.module.functions[template.functions["scene_surface"]];
-        let Some(result) = &stub.result else { unreachable!("scene.wgsl declares the result") };
-        let root = self.graph.root;
-        let mut scope = Scope::new(self, "scene_surface", result.ty);
-        let surface = scope.surface(root, result.ty);
+    fn scene_surface(&mut self) {
+        let (root, ty) = (self.graph.root, self.surface_type);
+        let mut scope = Scope::new(self, "scene_surface", ty);
+        let surface = scope.surface(root);
         let function = scope.finish(surface);
         self.replace("scene_surface", function);
     }
@@ -195,6 +247,12 @@ struct Scope<'e, 'g> {
     points: FxHashMap<PointId, Value>,
     distances: FxHashMap<NodeId, Value>,
     joints: FxHashMap<NodeId, blend::Joined>,
+    /// The distances to the nearest members of crowds.
+    crowd_distances: FxHashMap<usize, Value>,
+    /// Where the numbers of a pattern's member are.
+    row: Option<Value>,
+    /// The numbers of it, four at a time.
+    row_numbers: FxHashMap<usize, Value>,
     /// Live numbers by slot.
     live: FxHashMap<usize, Value>,
     /// How nodes look, depending on how they look where nobody painted them.
@@ -220,6 +278,9 @@ impl<'e, 'g> Scope<'e, 'g> {
             points: FxHashMap::default(),
             distances: FxHashMap::default(),
             joints: FxHashMap::default(),
+            crowd_distances: FxHashMap::default(),
+            row: None,
+            row_numbers: FxHashMap::default(),
             live: FxHashMap::default(),
             appearances: FxHashMap::default(),
             colors: FxHashMap::default(),

@@ -1,10 +1,10 @@
 //! Splicing: a scene's functions in the place of a template's stubs.
 
-use chiaro_field::Graph;
+use chiaro_field::{Crowds, Graph};
 use chiaro_syntax::Diagnostic;
 use naga::Module;
 
-use crate::emit::{Emitted, emit};
+use crate::emit::{Emitted, emit, emit_with_crowds};
 use crate::tables::Tables;
 use crate::template::Template;
 
@@ -22,11 +22,28 @@ pub struct Shader {
     pub entry_points: Vec<String>,
 }
 
-/// Splices a scene into a template. An error says that the scene is too large for a shader, or holds a NaN.
+/// Splices a scene into a template, as straight-line code. An error says that the scene is too large for a shader, or holds
+/// a NaN.
 pub fn splice(graph: &Graph, template: Template) -> Result<Shader, Diagnostic> {
-    let Emitted { module, tables, .. } = emit(graph, template.parsed(), &|_| None)?;
-    let is_live = module.global_variables.iter().any(|(_, variable)| variable.binding == Some(crate::bindings::LIVE));
-    let live_numbers = if is_live { graph.slots.len() } else { 0 };
-    let entry_points = module.entry_points.iter().map(|entry_point| entry_point.name.clone()).collect();
-    Ok(Shader { module, tables, live_numbers, entry_points })
+    Ok(Shader::new(graph, emit(graph, template.parsed(), &|_| None)?))
+}
+
+/// Splices a scene into a template with loops over the members of its crowds: the module is the same for scenes whose
+/// members differ by numbers, and stays small however many there are. If there are any crowds it reads
+/// [`CrowdData`](crate::CrowdData).
+pub fn splice_with_crowds(graph: &Graph, crowds: &Crowds, template: Template) -> Result<Shader, Diagnostic> {
+    if crowds.is_empty() {
+        return splice(graph, template);
+    }
+    Ok(Shader::new(graph, emit_with_crowds(graph, crowds, template.parsed_with_crowds())?))
+}
+
+impl Shader {
+    fn new(graph: &Graph, Emitted { module, tables, .. }: Emitted) -> Self {
+        let is_live =
+            module.global_variables.iter().any(|(_, variable)| variable.binding == Some(crate::bindings::LIVE));
+        let live_numbers = if is_live { graph.slots.len() } else { 0 };
+        let entry_points = module.entry_points.iter().map(|entry_point| entry_point.name.clone()).collect();
+        Self { module, tables, live_numbers, entry_points }
+    }
 }

@@ -97,9 +97,18 @@ impl Template {
 
     /// Its module together with the vocabulary and the stubs, parsed when first asked for.
     pub(crate) fn parsed(self) -> &'static Parsed {
-        static PARSED: OnceLock<Mutex<FxHashMap<Template, &'static Parsed>>> = OnceLock::new();
+        self.parsed_for(false)
+    }
+
+    /// The same with what asks crowds.
+    pub(crate) fn parsed_with_crowds(self) -> &'static Parsed {
+        self.parsed_for(true)
+    }
+
+    fn parsed_for(self, crowds: bool) -> &'static Parsed {
+        static PARSED: OnceLock<Mutex<FxHashMap<(Template, bool), &'static Parsed>>> = OnceLock::new();
         let mut parsed = PARSED.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
-        parsed.entry(self).or_insert_with(|| Box::leak(Box::new(Parsed::new(self))))
+        parsed.entry((self, crowds)).or_insert_with(|| Box::leak(Box::new(Parsed::new(self, crowds))))
     }
 }
 
@@ -172,8 +181,9 @@ impl Parsed {
     /// # Panics
     ///
     /// If the text is no WGSL: the templates are part of this crate, and a test parses each.
-    fn new(template: Template) -> Self {
-        let text = [chiaro_vocabulary::source(), SCENE, &template.text()].join("\n");
+    fn new(template: Template, crowds: bool) -> Self {
+        let crowds = if crowds { include_str!("../templates/crowd.wgsl") } else { "" };
+        let text = [chiaro_vocabulary::source(), SCENE, crowds, &template.text()].join("\n");
         let module = naga::front::wgsl::parse_str(&text)
             .unwrap_or_else(|error| panic!("{template:?}: {}", error.emit_to_string(&text)));
         let named = |(handle, function): (_, &Function)| Some((function.name.clone()?, handle));
@@ -190,6 +200,7 @@ mod tests {
     fn every_template_parses() {
         for template in Template::all() {
             assert!(template.parsed().functions.contains_key("scene_distance"), "{template:?}");
+            assert!(template.parsed_with_crowds().functions.contains_key("crowd_list"), "{template:?}");
         }
     }
 }

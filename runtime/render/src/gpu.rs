@@ -12,6 +12,7 @@ use wgpu::{
 
 use crate::error::{Error, Result};
 use crate::kernel::Kernel;
+use crate::kernels::Kernels;
 use crate::picture::BYTES_PER_PIXEL;
 
 /// How long one submission may take. Software drivers compile large shaders within their first one.
@@ -52,6 +53,7 @@ pub struct Gpu {
     description: AdapterDescription,
     fault: Arc<Mutex<Option<Error>>>,
     pipelines: Arc<AtomicUsize>,
+    kernels: Arc<Mutex<Kernels>>,
     /// What resolves pictures, once one was made.
     pub(crate) resolve: Arc<OnceLock<Kernel>>,
 }
@@ -108,7 +110,15 @@ impl Gpu {
                 lock(&lost).get_or_insert(Error::Lost(one_line(&message)));
             }
         });
-        Ok(Self { device, queue, description, fault, pipelines: Arc::default(), resolve: Arc::default() })
+        Ok(Self {
+            device,
+            queue,
+            description,
+            fault,
+            pipelines: Arc::default(),
+            kernels: Arc::default(),
+            resolve: Arc::default(),
+        })
     }
 
     /// What draws.
@@ -132,9 +142,15 @@ impl Gpu {
         limits.max_storage_buffer_binding_size.min(limits.max_buffer_size) / BYTES_PER_PIXEL
     }
 
-    /// How many pipelines were compiled so far; moving a live number or the view compiles none.
+    /// How many pipelines were compiled so far; moving a live number, the view, or a member of a large union
+    /// compiles none.
     pub fn pipelines_compiled(&self) -> usize {
         self.pipelines.load(Ordering::Relaxed)
+    }
+
+    /// The kernels that were compiled lately.
+    pub(crate) fn kernels(&self) -> MutexGuard<'_, Kernels> {
+        lock(&self.kernels)
     }
 
     pub(crate) fn count_pipeline(&self) {

@@ -6,12 +6,14 @@ mod classes;
 mod colors;
 mod legend;
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use bytemuck::pod_collect_to_vec;
 use chiaro_shader::{Inspect, Template};
 use wgpu::{BindGroup, Buffer};
 
+use crate::crowds::CrowdTable;
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::kernel::{Slot, buffer, workgroups};
@@ -310,7 +312,8 @@ impl Inspector {
         if self.classes.is_none() {
             let slots = [(0, Slot::Read), (1, Slot::ReadWrite)];
             let graph = classes::painted(&self.model.graph);
-            let source = Source::of(&graph, Template::Inspect(Inspect::Materials))?;
+            let crowds = CrowdTable::new(&self.gpu, &graph, &self.model.parameters())?.map(Arc::new);
+            let source = Source::of(&graph, crowds, Template::Inspect(Inspect::Materials))?;
             self.classes = Some(Program::new(&self.gpu, source, "inspect_materials", false, &slots)?);
         }
         let (Some(program), Some(screen)) = (&self.classes, &self.screen) else { return Ok(Vec::new()) };

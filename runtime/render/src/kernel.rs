@@ -14,6 +14,7 @@ use wgpu::{
 
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
+use crate::kernels::Fingerprint;
 use crate::stopwatch::Stopwatch;
 
 /// What a binding is.
@@ -39,8 +40,19 @@ pub(crate) struct Kernel {
 }
 
 impl Kernel {
-    /// Compiles an entry point of a module; the slots of each of its groups come with their binding's number.
+    /// Compiles an entry point of a module, unless the device has lately done so; the slots of each of its groups come
+    /// with their binding's number.
     pub(crate) fn new(gpu: &Gpu, module: Module, entry: &str, groups: &[&[(u32, Slot)]]) -> Result<Self> {
+        let fingerprint = Fingerprint::of(&(&module, entry, groups));
+        if let Some(known) = gpu.kernels().known(fingerprint) {
+            return Ok(known);
+        }
+        let kernel = Self::compiled(gpu, module, entry, groups)?;
+        gpu.kernels().keep(fingerprint, &kernel);
+        Ok(kernel)
+    }
+
+    fn compiled(gpu: &Gpu, module: Module, entry: &str, groups: &[&[(u32, Slot)]]) -> Result<Self> {
         let device = &gpu.device;
         let module = if gpu.description().software { without_uniforms(module) } else { module };
         let kernel = gpu.checked(|| {

@@ -5,10 +5,12 @@
 //! [`Inspector`] draws what is not lit: normals, costs, sections; [`Masker`] finds the pixels that show a part of the scene.
 
 mod cells;
+mod crowds;
 mod error;
 mod gpu;
 mod inspect;
 mod kernel;
+mod kernels;
 mod lights;
 mod mask;
 mod measure;

@@ -3,13 +3,14 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use chiaro_field::Graph;
-use chiaro_shader::{GLOSS_TABLE, Template, bindings, splice};
+use chiaro_field::{Crowds, Graph};
+use chiaro_shader::{GLOSS_TABLE, Template, bindings, splice_with_crowds};
 use chiaro_solid::{Scalar, scalar::ParameterId};
 use chiaro_vocabulary::Bounds;
 use naga::Module;
 use wgpu::{BindGroup, BindingResource, Buffer};
 
+use crate::crowds::CrowdTable;
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::kernel::{Kernel, Slot, buffer};
@@ -26,6 +27,7 @@ pub struct Model {
     /// Outside there is nothing to draw.
     pub(crate) bounds: Bounds,
     pub(crate) lipschitz: f64,
+    crowds: Option<Arc<CrowdTable>>,
     live: Arc<Mutex<Live>>,
     /// Whether the scene has a lowest point that a floor could be under.
     has_lower_end: bool,
@@ -49,6 +51,7 @@ pub(crate) struct Source {
     pub(crate) module: Module,
     pub(crate) live: Vec<Scalar>,
     pub(crate) tables: Vec<[f32; 4]>,
+    pub(crate) crowds: Option<Arc<CrowdTable>>,
 }
 
 /// A template's pipeline with the scene's numbers.
@@ -58,21 +61,33 @@ pub(crate) struct Program {
     live: Vec<Scalar>,
     live_buffer: Option<Buffer>,
     tables: Option<Buffer>,
+    crowds: Option<Arc<CrowdTable>>,
     gloss: Option<Buffer>,
 }
 
 impl Model {
     /// Compiles a scene; its live numbers have these values, in the order of their ids.
     pub fn new(gpu: &Gpu, graph: &Graph, parameters: &[f64]) -> Result<Self> {
+        let crowds = CrowdTable::new(gpu, graph, parameters)?.map(Arc::new);
+        Self::with_crowds(gpu, graph, crowds, parameters)
+    }
+
+    /// The same with code for every operand of large unions, to compare with.
+    pub fn unrolled(gpu: &Gpu, graph: &Graph, parameters: &[f64]) -> Result<Self> {
+        Self::with_crowds(gpu, graph, None, parameters)
+    }
+
+    fn with_crowds(gpu: &Gpu, graph: &Graph, crowds: Option<Arc<CrowdTable>>, parameters: &[f64]) -> Result<Self> {
         let facts = graph.facts[graph.root.0 as usize];
-        let prepass = Source::of(graph, Template::Prepass)?;
-        let trace = Source::of(graph, Template::Trace)?;
+        let prepass = Source::of(graph, crowds.clone(), Template::Prepass)?;
+        let trace = Source::of(graph, crowds.clone(), Template::Trace)?;
         let model = Self {
             graph: Arc::new(graph.clone()),
             prepass: Program::new(gpu, prepass, "prepass", true, &[(0, Slot::ReadWrite)])?,
             trace: Program::new(gpu, trace, "trace", true, &TRACE_SLOTS)?,
             bounds: drawn_bounds(&facts.bounds),
             lipschitz: facts.lipschitz,
+            crowds,
             live: Arc::default(),
             has_lower_end: facts.bounds.min[2].is_finite(),
         };
@@ -122,7 +137,8 @@ impl Model {
         if let Some(program) = live.programs.get(&template) {
             return Ok(program.clone());
         }
-        let program = Program::new(gpu, Source::of(&self.graph, template)?, entry, true, own)?;
+        let source = Source::of(&self.graph, self.crowds.clone(), template)?;
+        let program = Program::new(gpu, source, entry, true, own)?;
         program.set_parameters(gpu, &live.parameters)?;
         live.programs.insert(template, program.clone());
         Ok(program)
@@ -134,11 +150,14 @@ impl Model {
 }
 
 impl Source {
-    /// A scene in a template.
-    pub(crate) fn of(graph: &Graph, template: Template) -> Result<Self> {
-        let shader = splice(graph, template).map_err(|diagnostic| Error::Scene(Box::new(diagnostic)))?;
+    /// A scene in a template, with a table of its crowds, if it has any.
+    pub(crate) fn of(graph: &Graph, crowds: Option<Arc<CrowdTable>>, template: Template) -> Result<Self> {
+        let none = Crowds::default();
+        let looped = crowds.as_ref().map_or(&none, |table| &table.crowds);
+        let shader =
+            splice_with_crowds(graph, looped, template).map_err(|diagnostic| Error::Scene(Box::new(diagnostic)))?;
         let live = if shader.live_numbers > 0 { graph.slots.clone() } else { Vec::new() };
-        Ok(Self { module: shader.module, live, tables: shader.tables.rows })
+        Ok(Self { module: shader.module, live, tables: shader.tables.rows, crowds })
     }
 }
 
@@ -162,6 +181,10 @@ impl Program {
             gpu.queue.write_buffer(&rows, 0, bytemuck::cast_slice(&source.tables));
             tables = Some(rows);
         }
+        if source.crowds.is_some() {
+            shared.push((bindings::CROWDS.binding, Slot::Read));
+            shared.push((bindings::CROWD_GRIDS.binding, Slot::Uniform));
+        }
         let mut gloss = None;
         if source.module.global_variables.iter().any(|(_, variable)| variable.binding == Some(bindings::GLOSS)) {
             shared.push((bindings::GLOSS.binding, Slot::Read));
@@ -170,20 +193,18 @@ impl Program {
             gloss = Some(table);
         }
         let kernel = Kernel::new(gpu, source.module, entry, &[&shared, own])?;
-        Ok(Self { kernel, live: source.live, live_buffer, tables, gloss })
+        Ok(Self { kernel, live: source.live, live_buffer, tables, crowds: source.crowds, gloss })
     }
 
     /// Sets the live numbers that the template reads.
     pub(crate) fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
+        if let Some(crowds) = &self.crowds {
+            crowds.set_parameters(gpu, parameters)?;
+        }
         let Some(buffer) = &self.live_buffer else {
             return Ok(());
         };
-        let mut needed = 0;
-        let mut need = |ParameterId(id): ParameterId| needed = needed.max(id as usize + 1);
-        self.live.iter().for_each(|scalar| scalar.visit_parameters(&mut need));
-        if needed > parameters.len() {
-            return Err(Error::Parameters { needed, given: parameters.len() });
-        }
+        check_parameters(&self.live, parameters)?;
         let mut values: Vec<f32> = self.live.iter().map(|scalar| scalar.value(parameters) as f32).collect();
         values.resize(values.len().next_multiple_of(4), 0.0);
         gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&values));
@@ -196,10 +217,20 @@ impl Program {
             (bindings::VIEW.binding, view),
             (bindings::LIVE.binding, self.live_buffer.as_ref()),
             (bindings::TABLES.binding, self.tables.as_ref()),
+            (bindings::CROWDS.binding, self.crowds.as_ref().map(|crowds| &crowds.words)),
+            (bindings::CROWD_GRIDS.binding, self.crowds.as_ref().map(|crowds| &crowds.grids)),
             (bindings::GLOSS.binding, self.gloss.as_ref()),
         ];
         let resources: Vec<(u32, BindingResource)> =
             bound.into_iter().filter_map(|(binding, buffer)| Some((binding, buffer?.as_entire_binding()))).collect();
         self.kernel.bind(gpu, 0, &resources)
     }
+}
+
+/// Whether there are values for all parameters in these numbers.
+pub(crate) fn check_parameters(numbers: &[Scalar], parameters: &[f64]) -> Result<()> {
+    let mut needed = 0;
+    let mut need = |ParameterId(id): ParameterId| needed = needed.max(id as usize + 1);
+    numbers.iter().for_each(|scalar| scalar.visit_parameters(&mut need));
+    if needed > parameters.len() { Err(Error::Parameters { needed, given: parameters.len() }) } else { Ok(()) }
 }

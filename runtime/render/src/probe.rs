@@ -1,8 +1,11 @@
 //! Asking the field itself, on the device.
 
+use std::sync::Arc;
+
 use chiaro_field::Graph;
 use chiaro_shader::Template;
 
+use crate::crowds::CrowdTable;
 use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::kernel::{Slot, buffer};
@@ -14,14 +17,16 @@ const ROW: u32 = 32768;
 
 /// The scene's signed distance in millimetres at each of the points.
 pub fn distances(gpu: &Gpu, graph: &Graph, parameters: &[f64], points: &[[f64; 3]]) -> Result<Vec<f32>> {
-    let program = Program::distances(gpu, Source::of(graph, Template::Distances)?)?;
+    let program = Program::distances(gpu, graph, parameters)?;
     program.set_parameters(gpu, parameters)?;
     program.ask(gpu, points)
 }
 
 impl Program {
-    /// The program that answers distances.
-    pub(crate) fn distances(gpu: &Gpu, source: Source) -> Result<Self> {
+    /// The program that answers distances to a scene.
+    pub(crate) fn distances(gpu: &Gpu, graph: &Graph, parameters: &[f64]) -> Result<Self> {
+        let crowds = CrowdTable::new(gpu, graph, parameters)?.map(Arc::new);
+        let source = Source::of(graph, crowds, Template::Distances)?;
         Program::new(gpu, source, "distances", false, &[(0, Slot::Read), (1, Slot::ReadWrite)])
     }
 

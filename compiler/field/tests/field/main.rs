@@ -1,5 +1,6 @@
 //! The field, from trees made by hand or at random to distances.
 
+mod crowds;
 mod graphs;
 mod soundness;
 mod trees;

@@ -25,9 +25,10 @@ pub(super) struct Joined {
 impl Scope<'_, '_> {
     /// The least or greatest of the children.
     pub(super) fn sharp(&mut self, id: NodeId, operation: Operation, children: &[NodeId]) -> Value {
-        let value = match self.emission.parts.is_large(id) {
-            true => self.reduced_by_parts(operation, children),
-            false => self.reduced_here(operation, children),
+        let value = match (self.emission.crowd_of(id), self.emission.parts.is_large(id)) {
+            (Some(crowd), _) => self.crowd_and_others(crowd),
+            (None, true) => self.reduced_by_parts(operation, children),
+            (None, false) => self.reduced_here(operation, children),
         };
         let nodes = &self.emission.graph.nodes;
         let prefix = match operation {
@@ -40,6 +41,17 @@ impl Scope<'_, '_> {
             }
         };
         self.name_node(value, id, prefix)
+    }
+
+    /// The least of a crowd's members and of the operands that are none.
+    fn crowd_and_others(&mut self, crowd: usize) -> Value {
+        let members = self.crowd_distance(crowd);
+        let others = &self.emission.crowds.crowd(crowd).others;
+        if others.is_empty() {
+            return members;
+        }
+        let others = self.reduced_by_parts(Operation::Union, others);
+        self.chain(Operation::Union, &[members, others])
     }
 
     /// The least or greatest of the values.

@@ -1,10 +1,12 @@
-//! Numbers: literals, and live ones from the uniform.
+//! Numbers: literals, and live ones from the uniform, or from the row of a crowd's member.
 
 use std::num::NonZeroU32;
 
 use chiaro_field::Graph;
 use chiaro_solid::Scalar;
-use naga::{AddressSpace, ArraySize, Expression, GlobalVariable, Handle, Span, Type, TypeInner};
+use naga::{
+    AddressSpace, ArraySize, BinaryOperator, Expression, GlobalVariable, Handle, Literal, Span, Type, TypeInner,
+};
 use rustc_hash::FxHashMap;
 
 use super::{Emission, Scope};
@@ -15,23 +17,15 @@ use crate::tables::single;
 /// The most live numbers: what fits into 16 KiB, which is what every device allows of a uniform buffer.
 pub(super) const MAX_LIVE: usize = 4096;
 
-/// Where live numbers are.
-pub(super) struct Numbers<'g> {
-    slots: FxHashMap<&'g Scalar, usize>,
-    variable: Option<Handle<GlobalVariable>>,
-}
-
-impl<'g> Numbers<'g> {
-    pub(super) fn new(graph: &'g Graph) -> Self {
-        let slots = graph.slots.iter().enumerate().map(|(slot, scalar)| (scalar, slot)).collect();
-        Self { slots, variable: None }
-    }
+/// The place of each live number.
+pub(super) fn slots(graph: &Graph) -> FxHashMap<&Scalar, usize> {
+    graph.slots.iter().enumerate().map(|(slot, scalar)| (scalar, slot)).collect()
 }
 
 impl Emission<'_> {
     /// The uniform variable of live numbers, declared when the first one is used.
-    fn live_variable(&mut self) -> Handle<GlobalVariable> {
-        if let Some(variable) = self.numbers.variable {
+    fn declared_live(&mut self) -> Handle<GlobalVariable> {
+        if let Some(variable) = self.live_variable {
             return variable;
         }
         let length = NonZeroU32::new(self.graph.slots.len().div_ceil(4) as u32).unwrap_or(NonZeroU32::MIN);
@@ -49,7 +43,7 @@ impl Emission<'_> {
             },
             Span::UNDEFINED,
         );
-        self.numbers.variable = Some(variable);
+        self.live_variable = Some(variable);
         variable
     }
 }
@@ -85,20 +79,44 @@ impl Scope<'_, '_> {
     }
 
     fn live(&mut self, scalar: &Scalar) -> Value {
-        let Some(&slot) = self.emission.numbers.slots.get(scalar) else {
+        let Some(&slot) = self.emission.slots.get(scalar) else {
             self.emission.fail("a live number of this shape has no slot in the field graph");
             return self.builder.literal(0.0);
         };
         if let Some(&value) = self.live.get(&slot) {
             return value;
         }
-        let variable = self.emission.live_variable();
-        let array = self.builder.add(Expression::GlobalVariable(variable));
-        let vector = self.builder.component(array, slot as u32 / 4);
-        let pointer = self.builder.component(vector, slot as u32 % 4);
-        let value = self.builder.load(pointer);
+        let value = match self.row {
+            Some(row) => self.number_of_row(row, slot),
+            None => self.live_number(slot),
+        };
         let value = self.name(value, "live");
         self.live.insert(slot, value);
         value
+    }
+
+    /// A live number from the uniform.
+    fn live_number(&mut self, slot: usize) -> Value {
+        let variable = self.emission.declared_live();
+        let array = self.builder.add(Expression::GlobalVariable(variable));
+        let vector = self.builder.component(array, slot as u32 / 4);
+        let pointer = self.builder.component(vector, slot as u32 % 4);
+        self.builder.load(pointer)
+    }
+
+    /// A number of a crowd's member.
+    fn number_of_row(&mut self, row: Value, slot: usize) -> Value {
+        let quadruple = slot / 4;
+        let numbers = match self.row_numbers.get(&quadruple) {
+            Some(&known) => known,
+            None => {
+                let offset = self.builder.add(Expression::Literal(Literal::U32(quadruple as u32)));
+                let place = self.builder.binary(BinaryOperator::Add, row, offset);
+                let numbers = self.call_named("crowd_numbers", &[place]);
+                self.row_numbers.insert(quadruple, numbers);
+                numbers
+            }
+        };
+        self.builder.component(numbers, slot as u32 % 4)
     }
 }

@@ -10,7 +10,7 @@ use super::Scope;
 use crate::build::Value;
 
 /// The distance to nothing, in millimetres: the vocabulary's FAR.
-const FAR: f32 = 1e15;
+pub(super) const FAR: f32 = 1e15;
 
 impl Scope<'_, '_> {
     /// The node's distance: evaluated here, or by a function of its own if it is large and asked more than once.

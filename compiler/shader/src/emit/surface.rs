@@ -13,7 +13,7 @@ use rustc_hash::FxHashMap;
 
 use super::Scope;
 use super::blend::Joined;
-use crate::build::Value;
+use crate::build::{Builder, Value};
 
 /// A look that is not evaluated yet, or is.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -29,18 +29,40 @@ pub(super) struct Look {
     finish: Value,
 }
 
-/// Operands of a Boolean that look the same: the places among its children.
+impl Look {
+    /// That of a surface.
+    pub(super) fn of_surface(builder: &mut Builder, surface: Value) -> Self {
+        Self { color: builder.component(surface, 0), finish: builder.component(surface, 1) }
+    }
+
+    /// As a surface, the type of which is given.
+    pub(super) fn compose(self, builder: &mut Builder, surface: Handle<Type>) -> Value {
+        builder.compose(surface, &[self.color, self.finish])
+    }
+}
+
+/// Operands of a Boolean that look the same: the places among its children; or the members of a crowd.
 struct Alike {
     appearance: Appearance,
     places: Vec<usize>,
+    crowd: Option<usize>,
 }
 
 impl Scope<'_, '_> {
     /// The surface of the whole scene.
-    pub(super) fn surface(&mut self, root: NodeId, ty: Handle<Type>) -> Value {
-        let appearance = self.appearance(root, Appearance::Paint(PaintId::UNPAINTED));
-        let Look { color, finish } = self.look(appearance);
-        self.builder.compose(ty, &[color, finish])
+    pub(super) fn surface(&mut self, root: NodeId) -> Value {
+        self.surface_of(root, Appearance::Paint(PaintId::UNPAINTED))
+    }
+
+    /// The surface of a node; what nobody painted looks as given.
+    pub(super) fn surface_over(&mut self, id: NodeId, unpainted: Look) -> Value {
+        self.surface_of(id, Appearance::Evaluated(unpainted))
+    }
+
+    fn surface_of(&mut self, id: NodeId, unpainted: Appearance) -> Value {
+        let appearance = self.appearance(id, unpainted);
+        let look = self.look(appearance);
+        look.compose(&mut self.builder, self.emission.surface_type)
     }
 
     /// How the node looks, if what nobody painted looks as given.
@@ -62,6 +84,9 @@ impl Scope<'_, '_> {
         let graph = self.emission.graph;
         match &graph.nodes[id.0 as usize] {
             Node::Boolean(operation, joint, operands) => {
+                if let Some(crowd) = self.emission.crowd_of(id) {
+                    return self.crowd_appearance(crowd, unpainted);
+                }
                 let alike = self.alike(*operation, operands, unpainted);
                 match (&alike[..], joint) {
                     ([only], _) => only.appearance,
@@ -73,6 +98,25 @@ impl Scope<'_, '_> {
                 [child, ..] => self.appearance(*child, unpainted),
                 [] => unpainted,
             },
+        }
+    }
+
+    /// How a crowd looks, with the operands that are no members.
+    fn crowd_appearance(&mut self, crowd: usize, unpainted: Appearance) -> Appearance {
+        let appearance = match self.emission.painted_crowd(crowd) {
+            Painted::Nobody => unpainted,
+            Painted::Once(paint) => Appearance::Paint(paint),
+            Painted::Variously => {
+                let unpainted = self.look(unpainted);
+                Appearance::Evaluated(self.crowd_look(crowd, unpainted))
+            }
+        };
+        let others = &self.emission.crowds.crowd(crowd).others;
+        let mut alike = vec![Alike { appearance, places: Vec::new(), crowd: Some(crowd) }];
+        alike.extend(self.alike(Operation::Union, others, unpainted));
+        match alike.iter().all(|group| group.appearance == appearance) {
+            true => appearance,
+            false => Appearance::Evaluated(self.foremost(Operation::Union, others, &alike)),
         }
     }
 
@@ -98,7 +142,7 @@ impl Scope<'_, '_> {
             };
             match alike.get_mut(group) {
                 Some(group) => group.places.push(place),
-                None => alike.push(Alike { appearance, places: vec![place] }),
+                None => alike.push(Alike { appearance, places: vec![place], crowd: None }),
             }
         }
         alike
@@ -132,6 +176,9 @@ impl Scope<'_, '_> {
 
     /// The distance to operands that look the same.
     fn extent(&mut self, operation: Operation, operands: &[NodeId], alike: &Alike) -> Value {
+        if let Some(crowd) = alike.crowd {
+            return self.crowd_distance(crowd);
+        }
         let nodes: Vec<NodeId> = alike.places.iter().map(|place| operands[*place]).collect();
         let extent = self.reduced(operation, &nodes);
         self.name(extent, "extent")

@@ -1,0 +1,120 @@
+//! Crowds of random trees: cells list whatever can be the nearest, and patterns with a member's numbers are the member.
+
+use std::sync::Arc;
+
+use chiaro_field::crowd::{Cell, Cells, Crowd};
+use chiaro_field::{Bounds, Crowds, Evaluator, lower};
+use chiaro_solid::{Boolean, Scalar, Solid};
+
+use crate::trees::{self, Random, Trees};
+
+/// A union of many trees at random places, that differ by nothing but numbers from one of some random trees.
+fn many(random: &mut Random, count: u64, depth: u32, reach: f64) -> Arc<Solid> {
+    const STRUCTURES: u64 = 8;
+    let first = random.bits();
+    let members = (0..count)
+        .map(|i| {
+            let by = random.point(reach);
+            let mut structure = Random(first.wrapping_add(i % STRUCTURES));
+            let mut number = |structure: &mut Random, least: f64, most: f64| {
+                structure.within(least, most);
+                Scalar::from(random.within(least, most))
+            };
+            let tree = Trees { random: &mut structure, number: &mut number }.space(depth);
+            trees::moved(by, tree)
+        })
+        .collect();
+    trees::boolean(Boolean::Union, None, members)
+}
+
+fn least(evaluator: &Evaluator, crowd: &Crowd, members: impl Iterator<Item = usize>, point: [f64; 3]) -> f64 {
+    members.map(|member| evaluator.value(crowd.members[member].node, point)).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn cells_list_whatever_can_be_the_nearest() {
+    let mut random = Random(11);
+    let mut found = 0;
+    for (depth, reach) in [(0, 60.0), (0, 12.0), (1, 60.0), (1, 15.0), (2, 60.0), (2, 20.0)] {
+        let graph = lower(&many(&mut random, 150, depth, reach)).0;
+        let crowds = Crowds::of(&graph);
+        let evaluator = Evaluator::new(&graph, &[]);
+        for crowd in &crowds.crowds {
+            found += 1;
+            let cells = Cells::of(&graph, crowd, &[], 1 << 17);
+            let (grid, mut asked) = (cells.bounds(), 0);
+            for _ in 0..600 {
+                let point = inside(&grid, &mut random);
+                let listed = cells.at(point);
+                asked += listed.len();
+                let some = least(&evaluator, crowd, listed.iter().map(|member| *member as usize), point);
+                let all = least(&evaluator, crowd, 0..crowd.members.len(), point);
+                assert_eq!(some, all, "at {point:?} of depth {depth}");
+            }
+            assert!(reach < 60.0 || asked < 150 * crowd.members.len(), "{asked} of 600 × {}", crowd.members.len());
+        }
+    }
+    assert!(found >= 3, "only {found} of the unions are crowds");
+}
+
+fn inside(bounds: &Bounds, random: &mut Random) -> [f64; 3] {
+    std::array::from_fn(|axis| random.within(bounds.min[axis], bounds.max[axis]))
+}
+
+#[test]
+fn patterns_with_a_members_numbers_are_the_member() {
+    let mut random = Random(12);
+    let graph = lower(&many(&mut random, 200, 2, 60.0)).0;
+    let crowds = Crowds::of(&graph);
+    let evaluator = Evaluator::new(&graph, &[]);
+    let mut checked = 0;
+    for crowd in &crowds.crowds {
+        for member in &crowd.members {
+            let pattern = &crowds.patterns[crowd.patterns[member.pattern]];
+            let numbers: Vec<f64> = member.numbers.iter().map(|number| number.value(&[])).collect();
+            let patterned = Evaluator::new(&pattern.graph, &numbers);
+            for _ in 0..10 {
+                let point = random.point(70.0);
+                let (found, expected) = (patterned.distance(point), evaluator.value(member.node, point));
+                assert!((found - expected).abs() <= 1e-9 * (1.0 + expected.abs()), "{found} instead of {expected}");
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked >= 640, "{checked}");
+}
+
+#[test]
+fn members_that_differ_by_numbers_follow_one_pattern() {
+    let place = |i: u32| [f64::from(i % 10) * 5.0, f64::from(i / 10) * 5.0, 1.0];
+    let ball =
+        |i: u32| trees::moved(place(i), trees::shape(&chiaro_vocabulary::rows::SPHERE, &[1.0 + f64::from(i % 3)]));
+    let balls = trees::boolean(Boolean::Union, None, (0..100).map(ball).collect());
+    let graph = lower(&balls).0;
+    let crowds = Crowds::of(&graph);
+    assert_eq!((crowds.crowds.len(), crowds.patterns.len()), (1, 1));
+    assert_eq!(crowds.crowds[0].members.len(), 100);
+    // A few are no crowd.
+    let few = trees::boolean(Boolean::Union, None, (0..20).map(ball).collect());
+    assert!(Crowds::of(&lower(&few).0).is_empty());
+}
+
+#[test]
+fn room_is_kept() {
+    let mut random = Random(13);
+    let graph = lower(&many(&mut random, 400, 0, 60.0)).0;
+    let crowds = Crowds::of(&graph);
+    let evaluator = Evaluator::new(&graph, &[]);
+    for room in [1, 2_000, 20_000] {
+        let crowd = &crowds.crowds[0];
+        let cells = Cells::of(&graph, crowd, &[], room);
+        let longest = crowd.members.len();
+        assert!(cells.cells.len() + cells.members.len() <= room + 96 * longest, "{room}");
+        for _ in 0..100 {
+            let point = inside(&cells.bounds(), &mut random);
+            let some = least(&evaluator, crowd, cells.at(point).iter().map(|member| *member as usize), point);
+            assert_eq!(some, least(&evaluator, crowd, 0..longest, point));
+        }
+        assert!(cells.cells.iter().all(|cell| matches!(cell, Cell::Block(_) | Cell::List(..))));
+    }
+}
