@@ -312,7 +312,10 @@ impl Inspector {
         if self.classes.is_none() {
             let slots = [(0, Slot::Read), (1, Slot::ReadWrite)];
             let graph = classes::painted(&self.model.graph);
-            let crowds = CrowdTable::new(&self.gpu, &graph, &self.model.parameters())?.map(Arc::new);
+            let crowds = match self.model.is_looped() {
+                true => CrowdTable::new(&self.gpu, &graph, &self.model.parameters())?.map(Arc::new),
+                false => None,
+            };
             let source = Source::of(&graph, crowds, Template::Inspect(Inspect::Materials))?;
             self.classes = Some(Program::new(&self.gpu, source, "inspect_materials", false, &slots)?);
         }

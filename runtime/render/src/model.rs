@@ -68,13 +68,14 @@ pub(crate) struct Program {
 impl Model {
     /// Compiles a scene; its live numbers have these values, in the order of their ids.
     pub fn new(gpu: &Gpu, graph: &Graph, parameters: &[f64]) -> Result<Self> {
-        let crowds = CrowdTable::new(gpu, graph, parameters)?.map(Arc::new);
-        Self::with_crowds(gpu, graph, crowds, parameters)
+        Self::with_crowds(gpu, graph, None, parameters)
     }
 
-    /// The same with code for every operand of large unions, to compare with.
-    pub fn unrolled(gpu: &Gpu, graph: &Graph, parameters: &[f64]) -> Result<Self> {
-        Self::with_crowds(gpu, graph, None, parameters)
+    /// The same with loops over the members of large unions, found by cells. Where very many members are in one place, lists
+    /// are long, and so is what it takes to make them.
+    pub fn looped(gpu: &Gpu, graph: &Graph, parameters: &[f64]) -> Result<Self> {
+        let crowds = CrowdTable::new(gpu, graph, parameters)?.map(Arc::new);
+        Self::with_crowds(gpu, graph, crowds, parameters)
     }
 
     fn with_crowds(gpu: &Gpu, graph: &Graph, crowds: Option<Arc<CrowdTable>>, parameters: &[f64]) -> Result<Self> {
@@ -93,6 +94,11 @@ impl Model {
         };
         model.set_parameters(gpu, parameters)?;
         Ok(model)
+    }
+
+    /// Whether it loops over the members of large unions.
+    pub(crate) fn is_looped(&self) -> bool {
+        self.crowds.is_some()
     }
 
     /// Whether it draws this field: then a new one would be no other.

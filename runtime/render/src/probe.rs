@@ -17,15 +17,30 @@ const ROW: u32 = 32768;
 
 /// The scene's signed distance in millimetres at each of the points.
 pub fn distances(gpu: &Gpu, graph: &Graph, parameters: &[f64], points: &[[f64; 3]]) -> Result<Vec<f32>> {
-    let program = Program::distances(gpu, graph, parameters)?;
+    answered(gpu, graph, None, parameters, points)
+}
+
+/// The same by loops over the members of large unions, as those of [`Model::looped`](crate::Model::looped).
+pub fn distances_looped(gpu: &Gpu, graph: &Graph, parameters: &[f64], points: &[[f64; 3]]) -> Result<Vec<f32>> {
+    let crowds = CrowdTable::new(gpu, graph, parameters)?.map(Arc::new);
+    answered(gpu, graph, crowds, parameters, points)
+}
+
+fn answered(
+    gpu: &Gpu,
+    graph: &Graph,
+    crowds: Option<Arc<CrowdTable>>,
+    parameters: &[f64],
+    points: &[[f64; 3]],
+) -> Result<Vec<f32>> {
+    let program = Program::distances(gpu, graph, crowds)?;
     program.set_parameters(gpu, parameters)?;
     program.ask(gpu, points)
 }
 
 impl Program {
     /// The program that answers distances to a scene.
-    pub(crate) fn distances(gpu: &Gpu, graph: &Graph, parameters: &[f64]) -> Result<Self> {
-        let crowds = CrowdTable::new(gpu, graph, parameters)?.map(Arc::new);
+    pub(crate) fn distances(gpu: &Gpu, graph: &Graph, crowds: Option<Arc<CrowdTable>>) -> Result<Self> {
         let source = Source::of(graph, crowds, Template::Distances)?;
         Program::new(gpu, source, "distances", false, &[(0, Slot::Read), (1, Slot::ReadWrite)])
     }

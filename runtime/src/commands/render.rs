@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use anyhow::Result;
 use chiaro_compiler::Scene;
+use chiaro_compiler::field::Graph;
 use chiaro_compiler::solid::{Camera, PlacedLight};
 use chiaro_compiler::vocabulary::Bounds;
 use chiaro_render::{Floor, Gpu, Lighting, Model, Picture, View};
@@ -68,6 +69,12 @@ fn camera(scene: &Scene, arguments: &Render) -> Camera {
     arguments.view.map_or_else(|| scene.camera.clone(), |view| view.apply(&scene.camera))
 }
 
+/// The scene's kernels, of the form that the command line asks for.
+fn model(gpu: &Gpu, graph: &Graph, values: &[f64], arguments: &Render) -> Result<Model> {
+    let make = if arguments.crowds { Model::looped } else { Model::new };
+    Ok(make(gpu, graph, values)?)
+}
+
 /// A scene with its picture in progress.
 struct Studio {
     camera: Camera,
@@ -93,7 +100,7 @@ impl Studio {
         let (width, height) = arguments.size;
         let aspect = f64::from(width) / f64::from(height);
 
-        let model = Model::new(gpu, &graph, &values)?;
+        let model = model(gpu, &graph, &values, arguments)?;
         let clock = scene.parameters.iter().position(|parameter| &*parameter.name == CLOCK);
         // What moves is framed as far as it may reach, so that neither the view nor the floor moves with it.
         let reach = graph.facts[graph.root.0 as usize].bounds;
@@ -147,7 +154,7 @@ impl Studio {
     fn replace(&mut self, gpu: &Gpu, scene: &Scene, arguments: &Render) -> Result<()> {
         self.camera = camera(scene, arguments);
         self.values = scene.defaults();
-        let model = Model::new(gpu, &scene.picture(), &self.values)?;
+        let model = model(gpu, &scene.picture(), &self.values, arguments)?;
         let view = View::framing(&self.camera, &self.values, &self.frame, self.aspect);
         self.picture = Picture::new(gpu, &model, self.first_view, self.picture.size())?;
         self.picture.set_view(view)?;
