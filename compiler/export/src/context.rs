@@ -3,10 +3,10 @@
 use chiaro_syntax::Diagnostic;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::Serde;
-use minijinja::{Environment, UndefinedBehavior, Value};
+use minijinja::{Environment, UndefinedBehavior, Value, context};
 use serde::Serialize;
 
-use crate::parameters::Parameter;
+use crate::parameters::{Parameter, snake_case};
 use crate::source::described;
 use crate::subject::Scene;
 
@@ -16,12 +16,14 @@ const ABOUT: &str = include_str!("../packages/languages/about.txt");
 #[derive(Serialize)]
 pub(crate) struct Context<'a> {
     title: &'a str,
+    /// The title as a name of files, uniforms and functions: `wall_clock`.
+    pub(crate) name: String,
+    /// The title as a name of types: `WallClock`.
+    type_name: String,
     /// What a text starts with, as comments.
     about: String,
     version: &'static str,
     parameters: Vec<Live>,
-    /// The shader code.
-    code: &'a str,
     box_min: [f64; 3],
     box_max: [f64; 3],
     lipschitz: f32,
@@ -48,7 +50,7 @@ struct Live {
 }
 
 impl<'a> Context<'a> {
-    pub(crate) fn new(scene: &'a Scene, parameters: &[Parameter], code: &'a str) -> Result<Self, Diagnostic> {
+    pub(crate) fn new(scene: &'a Scene, parameters: &[Parameter]) -> Result<Self, Diagnostic> {
         let live = |parameter: &Parameter| Live {
             name: parameter.name.clone(),
             label: parameter.label.clone(),
@@ -65,12 +67,14 @@ impl<'a> Context<'a> {
         let rounded = |x: f32, by: f64| (f64::from(x) * 1e3 + by).round() / 1e3;
         let [box_min, box_max] = scene.setting.bounds;
         let (box_min, box_max) = (box_min.map(|x| rounded(x, -0.5)), box_max.map(|x| rounded(x, 0.5)));
+        let name = snake_case(scene.title);
         let mut context = Self {
             title: scene.title,
+            type_name: camel_case(&name),
+            name,
             about: String::new(),
             version: env!("CARGO_PKG_VERSION"),
             parameters: parameters.iter().map(live).collect(),
-            code,
             box_min,
             box_max,
             lipschitz: scene.setting.lipschitz,
@@ -80,12 +84,12 @@ impl<'a> Context<'a> {
             field_of_view: 2.0 * camera.half_height.atan().to_degrees(),
             aspect: camera.aspect,
         };
-        context.about = context.fill(ABOUT)?.trim_end().to_owned();
+        context.about = context.fill(ABOUT, "")?.trim_end().to_owned();
         Ok(context)
     }
 
-    /// A template filled in.
-    pub(crate) fn fill(&self, template: &str) -> Result<String, Diagnostic> {
+    /// A template filled in, with this as its shader code.
+    pub(crate) fn fill(&self, template: &str, code: &str) -> Result<String, Diagnostic> {
         let mut environment = Environment::new();
         environment.set_undefined_behavior(UndefinedBehavior::Strict);
         // Lines of instructions leave nothing behind.
@@ -95,6 +99,12 @@ impl<'a> Context<'a> {
         let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).keep_trailing_newline(true).build();
         environment.set_syntax(syntax.map_err(failed)?);
         environment.add_filter("float", |value: f64| crate::parameters::number(value));
-        environment.render_str(template, Value::from(Serde(self))).map_err(failed)
+        environment.render_str(template, context! { code, ..Value::from(Serde(self)) }).map_err(failed)
     }
+}
+
+/// `WallClock` for `wall_clock`.
+fn camel_case(name: &str) -> String {
+    let capital = |word: &str| word[..1].to_ascii_uppercase() + &word[1..];
+    name.split('_').filter(|word| !word.is_empty()).map(capital).collect()
 }

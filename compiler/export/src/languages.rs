@@ -55,7 +55,7 @@ pub(crate) fn program(scene: &Scene, language: Language) -> Result<Vec<File>, Di
 
 fn filled(scene: &Scene, text: &Text, language: Language, template: &str) -> Result<String, Diagnostic> {
     let code = code(text, language)?;
-    Context::new(scene, &text.source.parameters, &code)?.fill(template)
+    Context::new(scene, &text.source.parameters)?.fill(template, &code)
 }
 
 /// A scene's text in a language.

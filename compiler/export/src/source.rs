@@ -7,6 +7,7 @@ use chiaro_syntax::Diagnostic;
 use rustc_hash::FxHashSet;
 
 use crate::parameters::{Parameter, expression, number, parameters};
+use crate::translate::Dialect;
 
 /// The functions that live numbers may be computed with.
 const LIVE: &str = include_str!("../wgsl/live.wgsl");
@@ -39,7 +40,8 @@ impl Source {
             return Err(Diagnostic::error(root, message)
                 .with_hint("export a mesh instead (--to stl), or use fewer points in polygons and polyhedra"));
         }
-        let taken: FxHashSet<&str> = words(&vocabulary).chain(words(&functions)).chain(RESERVED).collect();
+        let mut taken: FxHashSet<&str> = RESERVED.into_iter().chain(Dialect::words()).collect();
+        taken.extend([&*vocabulary, &*functions, caller].into_iter().flat_map(words));
         let parameters = parameters(live, &taken);
         let functions = with_parameters(&functions, graph, &parameters);
         let helpers = called(LIVE, &functions);
@@ -71,7 +73,7 @@ pub(crate) fn described(parameter: &Parameter) -> String {
     description.as_ref().map_or(own.clone(), |text| format!("{} ({own})", text.trim()))
 }
 
-/// Words that parameters may not be called, for all targets' sake.
+/// Words of the templates that parameters may not be called.
 const RESERVED: [&str; 24] = [
     "p",
     "time",
@@ -84,19 +86,19 @@ const RESERVED: [&str; 24] = [
     "light",
     "scale",
     "texture",
-    "sample",
-    "input",
-    "output",
-    "buffer",
+    "pixel",
+    "corner",
+    "eye",
+    "rays",
+    "turn",
+    "view",
+    "zoom",
+    "camera",
     "resolution",
     "mouse",
-    "fract",
-    "mix",
     "mod",
     "parameters",
     "main",
-    "half",
-    "fixed",
 ];
 
 /// The identifiers of a text.

@@ -10,6 +10,10 @@ use crate::source::Source;
 
 /// The slope of the distance.
 const GRADIENT: &str = include_str!("../wgsl/gradient.wgsl");
+/// Where rays meet it.
+const SOLID: &str = include_str!("../wgsl/solid.wgsl");
+/// What displays show of radiances.
+const SHOWN: &str = include_str!("../wgsl/shown.wgsl");
 /// What a pixel shows.
 const PICTURE: &str = include_str!("../wgsl/picture.wgsl");
 
@@ -57,14 +61,34 @@ pub(crate) struct Text {
 impl Scene<'_> {
     /// The scene's functions alone: distance, surface and gradient.
     pub(crate) fn library(&self) -> Result<Text, Diagnostic> {
-        let below = format!("\n{}\n{GRADIENT}", self.constants());
-        Ok(Text { source: Source::new(self.graph, self.parameters, self.names, &below)?, below })
+        self.text(self.functions())
+    }
+
+    /// What engines take: where rays meet the scene, for them to light it; and the light that we would give it, down to
+    /// `one_pass` and `shown`. Both have the same live parameters.
+    pub(crate) fn solid_and_lit(&self) -> Result<(Text, Text), Diagnostic> {
+        let solid = self.functions() + "\n" + SOLID;
+        let lit = self.light();
+        let Text { source, .. } = self.text([&*solid, &lit].concat())?;
+        Ok((Text { source: source.clone(), below: solid }, Text { source, below: lit }))
     }
 
     /// The functions that draw it, down to `picture`.
     pub(crate) fn program(&self) -> Result<Text, Diagnostic> {
-        let below = ["\n", &one_pass(self.setting), "\n", &self.camera.wgsl(), "\n", PICTURE].concat();
+        self.text([&self.light(), "\n", &self.camera.wgsl(), "\n", PICTURE].concat())
+    }
+
+    /// The scene's functions with those below, which may call them.
+    fn text(&self, below: String) -> Result<Text, Diagnostic> {
         Ok(Text { source: Source::new(self.graph, self.parameters, self.names, &below)?, below })
+    }
+
+    fn functions(&self) -> String {
+        format!("\n{}\n{GRADIENT}", self.constants())
+    }
+
+    fn light(&self) -> String {
+        ["\n", &one_pass(self.setting), "\n", SHOWN].concat()
     }
 
     fn constants(&self) -> String {

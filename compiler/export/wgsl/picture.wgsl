@@ -40,6 +40,5 @@ fn picture(point: vec2<f32>, size: vec2<f32>, camera: Camera, rays: i32) -> vec4
         sum += seen.color;
         t = seen.t;
     }
-    let shown = tone_mapped(max(sum / f32(rays), vec3<f32>(0.0)));
-    return vec4<f32>(srgb_from_linear(clamp(shown, vec3<f32>(0.0), vec3<f32>(1.0))), t);
+    return vec4<f32>(srgb_from_linear(shown(sum / f32(rays))), t);
 }

@@ -76,6 +76,11 @@ pub(super) fn is_known(name: &str) -> bool {
     builtin(name).is_some()
 }
 
+/// What any language calls one.
+pub(super) fn words() -> impl Iterator<Item = &'static str> {
+    BUILTINS.iter().flat_map(|builtin| [builtin.wgsl, builtin.glsl, builtin.hlsl, builtin.metal])
+}
+
 /// What GLSL calls it.
 pub(super) fn glsl(name: &str) -> Option<&'static str> {
     builtin(name).map(|builtin| builtin.glsl)

@@ -61,6 +61,12 @@ impl Dialect {
         own.contains(&name) || (self == Dialect::Glsl && (name.starts_with("gl_") || name.contains("__")))
     }
 
+    /// All words that some language keeps for itself, and what it calls its built-in functions.
+    pub(crate) fn words() -> impl Iterator<Item = &'static str> {
+        let reserved = [&GLSL_WORDS[..], &HLSL_WORDS, &METAL_WORDS].into_iter().flatten().copied();
+        reserved.chain(builtins::words())
+    }
+
     /// What a constant of the text starts with.
     pub(super) fn constant(self) -> &'static str {
         match self {

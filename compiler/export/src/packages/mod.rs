@@ -1,0 +1,19 @@
+//! Packages: what engines and pages take as files of their own. Each is made of the templates in its folder of `packages`.
+
+mod folder;
+mod pages;
+
+use chiaro_syntax::Diagnostic;
+
+use crate::subject::Scene;
+use crate::target::{File, Package};
+
+/// The files of a package.
+pub(crate) fn files(scene: &Scene, package: Package) -> Result<Vec<File>, Diagnostic> {
+    match package {
+        Package::Shadertoy => pages::shadertoy(scene),
+        Package::GlslViewer => pages::glsl_viewer(scene),
+        Package::WebGl => pages::webgl(scene),
+        Package::WebGpu => pages::webgpu(scene),
+    }
+}
