@@ -254,6 +254,12 @@ pub(crate) enum Target {
     /// A page that draws the scene with WebGPU.
     #[value(name = "webgpu")]
     WebGpu,
+    /// A generator in the Interactive Shader Format, for VJs' programs.
+    Isf,
+    /// A folder for a Unity project: shaders for its Universal and its built-in pipeline.
+    Unity,
+    /// A folder for Unreal: shader code, and a script that makes a material of it.
+    Unreal,
 }
 
 /// Which graphics adapter to use.

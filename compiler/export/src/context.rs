@@ -14,8 +14,9 @@ const ABOUT: &str = include_str!("../packages/languages/about.txt");
 
 /// What templates know.
 #[derive(Serialize)]
-pub(crate) struct Context<'a> {
-    title: &'a str,
+pub(crate) struct Context {
+    /// What people call the scene.
+    title: String,
     /// The title as a name of files, uniforms and functions: `wall_clock`.
     pub(crate) name: String,
     /// The title as a name of types: `WallClock`.
@@ -49,8 +50,8 @@ struct Live {
     is_time: bool,
 }
 
-impl<'a> Context<'a> {
-    pub(crate) fn new(scene: &'a Scene, parameters: &[Parameter]) -> Result<Self, Diagnostic> {
+impl Context {
+    pub(crate) fn new(scene: &Scene, parameters: &[Parameter]) -> Result<Self, Diagnostic> {
         let live = |parameter: &Parameter| Live {
             name: parameter.name.clone(),
             label: parameter.label.clone(),
@@ -69,7 +70,7 @@ impl<'a> Context<'a> {
         let (box_min, box_max) = (box_min.map(|x| rounded(x, -0.5)), box_max.map(|x| rounded(x, 0.5)));
         let name = snake_case(scene.title);
         let mut context = Self {
-            title: scene.title,
+            title: scene.title.chars().map(|c| if is_plain(c) { c } else { '_' }).collect(),
             type_name: camel_case(&name),
             name,
             about: String::new(),
@@ -101,6 +102,11 @@ impl<'a> Context<'a> {
         environment.add_filter("float", |value: f64| crate::parameters::number(value));
         environment.render_str(template, context! { code, ..Value::from(Serde(self)) }).map_err(failed)
     }
+}
+
+/// Whether a character means nothing to any language, so that titles can stand in its comments and its strings.
+fn is_plain(c: char) -> bool {
+    c.is_alphanumeric() || " -_.,()+".contains(c)
 }
 
 /// `WallClock` for `wall_clock`.

@@ -41,7 +41,8 @@ impl Source {
                 .with_hint("export a mesh instead (--to stl), or use fewer points in polygons and polyhedra"));
         }
         let mut taken: FxHashSet<&str> = RESERVED.into_iter().chain(Dialect::words()).collect();
-        taken.extend([&*vocabulary, &*functions, caller].into_iter().flat_map(words));
+        taken.extend([&*vocabulary, &functions].into_iter().flat_map(words));
+        taken.extend(caller.lines().filter_map(declared));
         let parameters = parameters(live, &taken);
         let functions = with_parameters(&functions, graph, &parameters);
         let helpers = called(LIVE, &functions);
@@ -104,6 +105,12 @@ const RESERVED: [&str; 24] = [
 /// The identifiers of a text.
 fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
+}
+
+/// The name that a line of a text declares for all of it.
+fn declared(line: &str) -> Option<&str> {
+    let name = ["fn ", "const ", "struct "].iter().find_map(|keyword| line.strip_prefix(keyword))?;
+    words(name).next()
 }
 
 /// The functions with live numbers computed where they are read.

@@ -41,6 +41,12 @@ pub enum Package {
     WebGl,
     /// A page that draws with WebGPU.
     WebGpu,
+    /// The Interactive Shader Format of VJs' programs.
+    Isf,
+    /// Shaders for both of its pipelines, and a menu.
+    Unity,
+    /// A material, and a script that installs it.
+    Unreal,
 }
 
 /// A file of an export.

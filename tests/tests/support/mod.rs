@@ -90,6 +90,13 @@ impl Example {
     }
 }
 
+/// The text of the file whose path ends so: the shortest, if several do.
+pub(crate) fn text_at(files: &[export::File], ending: &str) -> String {
+    let matching = files.iter().filter(|file| file.path.ends_with(ending));
+    let file = matching.min_by_key(|file| file.path.len()).unwrap_or_else(|| panic!("no file is called …{ending}"));
+    String::from_utf8(file.bytes.clone()).unwrap()
+}
+
 /// What a text is compiled as.
 #[derive(Clone, Copy)]
 pub(crate) enum Stage {

@@ -6,13 +6,13 @@ use crate::context::Context;
 use crate::target::File;
 
 /// The files of a package so far.
-pub(super) struct Folder<'a> {
-    context: Context<'a>,
+pub(super) struct Folder {
+    context: Context,
     files: Vec<File>,
 }
 
-impl<'a> Folder<'a> {
-    pub(super) fn new(context: Context<'a>) -> Self {
+impl Folder {
+    pub(super) fn new(context: Context) -> Self {
         Self { context, files: Vec::new() }
     }
 

@@ -2,6 +2,8 @@
 
 mod folder;
 mod pages;
+mod unity;
+mod unreal;
 
 use chiaro_syntax::Diagnostic;
 
@@ -15,5 +17,8 @@ pub(crate) fn files(scene: &Scene, package: Package) -> Result<Vec<File>, Diagno
         Package::GlslViewer => pages::glsl_viewer(scene),
         Package::WebGl => pages::webgl(scene),
         Package::WebGpu => pages::webgpu(scene),
+        Package::Isf => pages::isf(scene),
+        Package::Unity => unity::files(scene),
+        Package::Unreal => unreal::files(scene),
     }
 }

@@ -10,6 +10,7 @@ use crate::translate::Dialect;
 
 const SHADERTOY: &str = include_str!("../../packages/shadertoy/image.glsl");
 const GLSL_VIEWER: &str = include_str!("../../packages/glslviewer/scene.frag");
+const ISF: &str = include_str!("../../packages/isf/picture.fs");
 const WEBGL: &str = include_str!("../../packages/web/webgl.html");
 const WEBGPU: &str = include_str!("../../packages/web/webgpu.html");
 
@@ -19,6 +20,10 @@ pub(super) fn shadertoy(scene: &Scene) -> Result<Vec<File>, Diagnostic> {
 
 pub(super) fn glsl_viewer(scene: &Scene) -> Result<Vec<File>, Diagnostic> {
     glsl(scene, GLSL_VIEWER)
+}
+
+pub(super) fn isf(scene: &Scene) -> Result<Vec<File>, Diagnostic> {
+    glsl(scene, ISF)
 }
 
 pub(super) fn webgl(scene: &Scene) -> Result<Vec<File>, Diagnostic> {

@@ -154,8 +154,9 @@ const GLSL_WORDS: [&str; 64] = [
     "varying",
 ];
 
-/// Words of HLSL that a WGSL name may be.
-const HLSL_WORDS: [&str; 56] = [
+/// Words of HLSL, and of what Unity includes, that a WGSL name may be.
+const HLSL_WORDS: [&str; 57] = [
+    "PI",
     "auto",
     "asm",
     "cbuffer",

@@ -73,6 +73,9 @@ fn kind(target: Target, program: bool) -> Kind {
         Target::GlslViewer => package(Package::GlslViewer),
         Target::WebGl => package(Package::WebGl),
         Target::WebGpu => package(Package::WebGpu),
+        Target::Isf => package(Package::Isf),
+        Target::Unity => package(Package::Unity),
+        Target::Unreal => package(Package::Unreal),
     }
 }
 
