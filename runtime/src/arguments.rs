@@ -254,6 +254,10 @@ pub(crate) enum Target {
     /// A page that draws the scene with WebGPU.
     #[value(name = "webgpu")]
     WebGpu,
+    /// A crate with materials for Bevy.
+    Bevy,
+    /// A folder for Blender: a mesh, and a script that imports it with lights, sky and camera.
+    Blender,
     /// A generator in the Interactive Shader Format, for VJs' programs.
     Isf,
     /// A folder for a Unity project: shaders for its Universal and its built-in pipeline.

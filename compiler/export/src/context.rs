@@ -6,6 +6,7 @@ use minijinja::value::Serde;
 use minijinja::{Environment, UndefinedBehavior, Value, context};
 use serde::Serialize;
 
+use crate::lamps::Lamps;
 use crate::parameters::{Parameter, snake_case};
 use crate::source::described;
 use crate::subject::Scene;
@@ -34,6 +35,7 @@ pub(crate) struct Context {
     /// The vertical field of view in degrees.
     field_of_view: f64,
     aspect: f64,
+    lamps: Lamps,
 }
 
 /// A live parameter.
@@ -84,6 +86,7 @@ impl Context {
             up: camera.up,
             field_of_view: 2.0 * camera.half_height.atan().to_degrees(),
             aspect: camera.aspect,
+            lamps: Lamps::of(scene.setting),
         };
         context.about = context.fill(ABOUT, "")?.trim_end().to_owned();
         Ok(context)

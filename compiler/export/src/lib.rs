@@ -6,6 +6,7 @@
 //! * [`export`] puts that into a [`Target`]'s templates (the folder `packages`).
 
 mod context;
+mod lamps;
 mod languages;
 mod packages;
 mod parameters;

@@ -41,6 +41,10 @@ pub enum Package {
     WebGl,
     /// A page that draws with WebGPU.
     WebGpu,
+    /// A crate with materials.
+    Bevy,
+    /// A script that adds lights, sky and camera to the mesh `NAME.obj`, which is left to whoever exports.
+    Blender,
     /// The Interactive Shader Format of VJs' programs.
     Isf,
     /// Shaders for both of its pipelines, and a menu.

@@ -1,5 +1,7 @@
 //! Packages: what engines and pages take as files of their own. Each is made of the templates in its folder of `packages`.
 
+mod bevy;
+mod blender;
 mod folder;
 mod pages;
 mod unity;
@@ -17,6 +19,8 @@ pub(crate) fn files(scene: &Scene, package: Package) -> Result<Vec<File>, Diagno
         Package::GlslViewer => pages::glsl_viewer(scene),
         Package::WebGl => pages::webgl(scene),
         Package::WebGpu => pages::webgpu(scene),
+        Package::Bevy => bevy::files(scene),
+        Package::Blender => blender::files(scene),
         Package::Isf => pages::isf(scene),
         Package::Unity => unity::files(scene),
         Package::Unreal => unreal::files(scene),

@@ -25,14 +25,20 @@ pub(super) enum Format {
     Glb,
 }
 
-/// The files of a scene's mesh.
-pub(super) fn files(scene: &Scene, format: Format, arguments: &Export, global: &Global) -> Result<Vec<File>> {
+/// The files of a scene's mesh, the first of which has this path.
+pub(super) fn files(
+    scene: &Scene,
+    format: Format,
+    path: &Path,
+    arguments: &Export,
+    global: &Global,
+) -> Result<Vec<File>> {
     if scene.dimension() == Some(Dimension::Plane) {
         bail!("the scene is plane, and a mesh is of solids: put linear_extrude(height = …) around it");
     }
     let model = make(scene, arguments, global)?;
-    say(&model, &arguments.output, global);
-    Ok(encoded(&model, format, &arguments.output))
+    say(&model, path, global);
+    Ok(encoded(&model, format, path))
 }
 
 fn make(scene: &Scene, arguments: &Export, global: &Global) -> Result<Model> {

@@ -40,13 +40,25 @@ fn files(
     match kind(target, arguments.program) {
         Kind::Shader(target) => shader::files(compilation, scene, target, arguments),
         Kind::Mesh(_) if arguments.program => bail!("--program is for shading languages, such as --to glsl-330"),
-        Kind::Mesh(format) => mesh::files(scene, format, arguments, global),
+        Kind::Mesh(format) => mesh::files(scene, format, &arguments.output, arguments, global),
+        Kind::Blender => blender(compilation, scene, arguments, global),
     }
+}
+
+/// Blender's script, and the mesh that it imports.
+fn blender(compilation: &Compilation, scene: &Scene, arguments: &Export, global: &Global) -> Result<Vec<File>> {
+    let mut files = shader::files(compilation, scene, export::Target::Package(Package::Blender), arguments)?;
+    let script = files.iter().find(|file| file.path.extension().is_some_and(|ending| ending == "py"));
+    let mesh = script.map_or_else(|| arguments.output.join("scene.obj"), |file| file.path.with_extension("obj"));
+    files.extend(mesh::files(scene, mesh::Format::Obj, &mesh, arguments, global)?);
+    Ok(files)
 }
 
 /// What a target is made by.
 enum Kind {
     Mesh(mesh::Format),
+    /// A mesh with a script.
+    Blender,
     Shader(export::Target),
 }
 
@@ -73,6 +85,8 @@ fn kind(target: Target, program: bool) -> Kind {
         Target::GlslViewer => package(Package::GlslViewer),
         Target::WebGl => package(Package::WebGl),
         Target::WebGpu => package(Package::WebGpu),
+        Target::Bevy => package(Package::Bevy),
+        Target::Blender => Kind::Blender,
         Target::Isf => package(Package::Isf),
         Target::Unity => package(Package::Unity),
         Target::Unreal => package(Package::Unreal),

@@ -1,0 +1,148 @@
+//! {{ title }} for Bevy: a solid that Bevy lights, with depth and shadows, and the same under its own lights.
+//!
+//! Lengths are metres with y up: a scene's millimetre is 0.001. Written by Chiaro {{ version }}.
+
+use bevy::asset::embedded_asset;
+use bevy::camera::visibility::NoFrustumCulling;
+use bevy::light::NotShadowCaster;
+use bevy::mesh::MeshVertexBufferLayoutRef;
+use bevy::pbr::{MaterialPipeline, MaterialPipelineKey, MaterialPlugin};
+use bevy::prelude::*;
+{% if parameters %}
+use bevy::render::render_resource::ShaderType;
+{% endif %}
+use bevy::render::render_resource::{AsBindGroup, Face, RenderPipelineDescriptor, SpecializedMeshPipelineError};
+use bevy::shader::ShaderRef;
+
+/// The box that the scene is in, in metres.
+pub const LEAST: Vec3 = Vec3::new({{ (box_min[0] / 1000) | float }}, {{ (box_min[2] / 1000) | float }}, {{ (-box_max[1] / 1000) | float }});
+/// Its greatest corner.
+pub const GREATEST: Vec3 = Vec3::new({{ (box_max[0] / 1000) | float }}, {{ (box_max[2] / 1000) | float }}, {{ (-box_min[1] / 1000) | float }});
+
+/// Adds the scene's materials.
+pub struct {{ type_name }}Plugin;
+
+impl Plugin for {{ type_name }}Plugin {
+    fn build(&self, app: &mut App) {
+        embedded_asset!(app, "{{ name }}.wgsl");
+        embedded_asset!(app, "{{ name }}_depth.wgsl");
+        embedded_asset!(app, "{{ name }}_picture.wgsl");
+        app.add_plugins((MaterialPlugin::<{{ type_name }}Material>::default(), MaterialPlugin::<{{ type_name }}Picture>::default()));
+{% for parameter in parameters if parameter.is_time %}
+        app.add_systems(Update, follow_the_clock);
+{% endfor %}
+    }
+}
+
+{% if parameters %}
+/// The scene's live numbers.
+#[derive(ShaderType, Reflect, Clone, Copy, Debug, PartialEq)]
+pub struct {{ type_name }}Numbers {
+{% for parameter in parameters %}
+    /// {{ parameter.text }}
+    pub {{ parameter.name }}: f32,
+{% endfor %}
+}
+
+impl Default for {{ type_name }}Numbers {
+    fn default() -> Self {
+        Self { {% for parameter in parameters %}{{ parameter.name }}: {{ parameter.default | float }}{{ ", " if not loop.last }}{% endfor %} }
+    }
+}
+
+{% endif %}
+/// What makes a box of [`proxy`] look like the scene, lit by Bevy.
+#[derive(Asset, TypePath, AsBindGroup, Clone, Debug, Default)]
+pub struct {{ type_name }}Material {
+{% if parameters %}
+    /// The live numbers.
+    #[uniform(0)]
+    pub numbers: {{ type_name }}Numbers,
+{% endif %}
+}
+
+impl Material for {{ type_name }}Material {
+    fn fragment_shader() -> ShaderRef {
+        "embedded://{{ name }}/{{ name }}.wgsl".into()
+    }
+
+    fn prepass_fragment_shader() -> ShaderRef {
+        "embedded://{{ name }}/{{ name }}_depth.wgsl".into()
+    }
+
+    /// Rays that miss the scene are discarded, in shadow maps too.
+    fn alpha_mode(&self) -> AlphaMode {
+        AlphaMode::Mask(0.5)
+    }
+
+    /// Back faces are drawn, so that the eye may be within the box.
+    fn specialize(
+        _: &MaterialPipeline,
+        descriptor: &mut RenderPipelineDescriptor,
+        _: &MeshVertexBufferLayoutRef,
+        _: MaterialPipelineKey<Self>,
+    ) -> Result<(), SpecializedMeshPipelineError> {
+        descriptor.primitive.cull_mode = Some(Face::Front);
+        Ok(())
+    }
+}
+
+/// What fills the view with the scene under its own lights: on a [`screen`].
+#[derive(Asset, TypePath, AsBindGroup, Clone, Debug, Default)]
+pub struct {{ type_name }}Picture {
+{% if parameters %}
+    /// The live numbers.
+    #[uniform(0)]
+    pub numbers: {{ type_name }}Numbers,
+{% endif %}
+}
+
+impl Material for {{ type_name }}Picture {
+    fn vertex_shader() -> ShaderRef {
+        "embedded://{{ name }}/{{ name }}_picture.wgsl".into()
+    }
+
+    fn fragment_shader() -> ShaderRef {
+        "embedded://{{ name }}/{{ name }}_picture.wgsl".into()
+    }
+
+    fn enable_prepass() -> bool {
+        false
+    }
+}
+
+/// The box that the material is for.
+pub fn proxy() -> Mesh {
+    Mesh::from(Cuboid::from_corners(LEAST, GREATEST)).translated_by(0.5 * (LEAST + GREATEST))
+}
+
+/// What the picture is for, with what keeps it in every view.
+pub fn screen() -> (Mesh, impl Bundle) {
+    (Mesh::from(Rectangle::new(2.0, 2.0)), (NoFrustumCulling, NotShadowCaster))
+}
+
+/// The scene's own view: the camera's place and its projection.
+pub fn view() -> (Transform, Projection) {
+    let eye = Vec3::new({{ (eye[0] / 1000) | float }}, {{ (eye[2] / 1000) | float }}, {{ (-eye[1] / 1000) | float }});
+    let target = Vec3::new({{ (target[0] / 1000) | float }}, {{ (target[2] / 1000) | float }}, {{ (-target[1] / 1000) | float }});
+    let up = Vec3::new({{ up[0] | float }}, {{ up[2] | float }}, {{ (-up[1]) | float }});
+    let fov = {{ field_of_view | float }}_f32.to_radians();
+    let near = 0.02 * eye.distance(target);
+    (
+        Transform::from_translation(eye).looking_at(target, up),
+        Projection::Perspective(PerspectiveProjection { fov, near, ..default() }),
+    )
+}
+{% for parameter in parameters if parameter.is_time %}
+
+/// Time goes from 0 to 1 in eight seconds, again and again.
+fn follow_the_clock(
+    time: Res<Time>,
+    mut materials: ResMut<Assets<{{ type_name }}Material>>,
+    mut pictures: ResMut<Assets<{{ type_name }}Picture>>,
+) {
+    let now = (time.elapsed_secs() / 8.0).fract();
+    materials.iter_mut().for_each(|(_, mut material)| material.numbers.{{ parameter.name }} = now);
+    pictures.iter_mut().for_each(|(_, mut picture)| picture.numbers.{{ parameter.name }} = now);
+}
+{% endfor %}
