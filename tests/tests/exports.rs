@@ -62,7 +62,7 @@ fn engines_take_the_shaders() {
         );
         compiled_by_glslang(&example.name, &solid, Stage::HlslPixel);
         let picture = format!(
-            "{UNITY}{numbers}{}\nfloat4 pixel(float3 p : POINT) : SV_Target {{\n    OnePass seen = one_pass(ScenePoint(p), p, 0.1, p.xy);\n    \
+            "{UNITY}{numbers}{}\nfloat4 pixel(float3 p : POINT) : SV_Target {{\n    OnePass seen = one_pass(ScenePoint(p), p, 0.1, p.xy, 0);\n    \
              return float4(shown(seen.color), seen.t);\n}}\n",
             text_at(&unity, "_picture.hlsl")
         );

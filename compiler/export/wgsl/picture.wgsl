@@ -36,7 +36,7 @@ fn picture(point: vec2<f32>, size: vec2<f32>, camera: Camera, rays: i32) -> vec4
         let place = select(2.0 * (point + ray_offset(i)) - size, 2.0 * point - size, rays == 1);
         let at = place / size;
         let w = normalize(camera.forward + at.x * camera.right + at.y * camera.up);
-        let seen = one_pass(camera.eye, w, pixel_angle, place / length(size));
+        let seen = one_pass(camera.eye, w, pixel_angle, place / length(size), i);
         sum += seen.color;
         t = seen.t;
     }

@@ -80,7 +80,7 @@ impl Task {
 
     /// Writes it into its buffer.
     pub(crate) fn write(&self, gpu: &Gpu, buffer: &Buffer) {
-        let cells = cells_of_disc(self.cells.clamp(1, MOST_CELLS));
+        let cells = cells_of_disc(self.cells.clamp(1, MOST_CELLS), self.sample);
         gpu.queue.write_buffer(buffer, 0, bytemuck::bytes_of(self));
         gpu.queue.write_buffer(buffer, size_of::<Task>() as u64, bytemuck::cast_slice(&cells));
     }

@@ -43,7 +43,7 @@ fn fragment(in: Corner) -> Output {
         let on_plane = (ndc + view.clip_from_view[2].xy) / vec2<f32>(view.clip_from_view[0].x, view.clip_from_view[1].y);
         let direction = view.world_from_view * vec4<f32>(on_plane, -1.0, 0.0);
         let w = normalize(scene_point((local_from_world * direction).xyz));
-        let seen = one_pass(eye, w, pixel_angle, ndc * size / length(size));
+        let seen = one_pass(eye, w, pixel_angle, ndc * size / length(size), i);
         sum += seen.color;
         let p = eye + seen.t * w;
         let local = 0.001 * vec3<f32>(p.x, p.z, -p.y);

@@ -1,6 +1,6 @@
 {{ about }}
 //
-// The scene as its own lights show it: one_pass(eye, direction, pixel angle, place), and shown(radiance). Points are those of the scene, in
+// The scene as its own lights show it: one_pass(eye, direction, pixel angle, place, ray), and shown(radiance). Points are those of the scene, in
 // millimetres with z up. The shader that includes this declares the live numbers.
 
 #ifndef {{ name | upper }}_PICTURE_INCLUDED

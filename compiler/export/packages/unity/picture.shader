@@ -57,7 +57,7 @@ Shader "Chiaro/{{ title }} picture" {
                     float3 w = normalize(ScenePoint(mul((float3x3)unity_WorldToObject, direction)));
                     // Where in the picture it is, upwards whichever way the target is turned.
                     float2 place = ndc * float2(1.0, sign(UNITY_MATRIX_P._m11)) * size / length(size);
-                    OnePass seen = one_pass(eye, w, pixelAngle, place);
+                    OnePass seen = one_pass(eye, w, pixelAngle, place, i);
                     sum += seen.color;
                     isSeen = seen.t >= 0.0;
                     seenAt = eye + seen.t * w;

@@ -7,18 +7,26 @@
 /// The cells of a light that is partly covered; 1 for none.
 const CELLS: i32 = 8;
 
-/// A cell of the unit disc: centre, share of the area, radius of a disc with that area. One is in the middle, the others
-/// are around it.
+/// A cell of the unit disc: centre, share of the area, radius of a disc with that area. Some are in the middle, the others around
+/// them: the rays of a pixel cut the disc in ways of their own, whose errors differ. `k` counts the cells of one ray after those
+/// of the other.
 fn disc_cell(k: u32) -> vec4<f32> {
+    let ray = i32(k) / CELLS;
+    let cell = i32(k) % CELLS;
     let share = 1.0 / f32(CELLS);
-    let inner = sqrt(share);
-    if k == 0u {
-        return vec4<f32>(0.0, 0.0, share, inner);
+    let within = select(1, 3, ray % 2 == 1 && CELLS > 3);
+    if cell == 0 && within == 1 {
+        return vec4<f32>(0.0, 0.0, share, sqrt(share));
     }
-    let half_angle = PI / f32(CELLS - 1);
-    let centroid = 2.0 / 3.0 * (1.0 - inner * share) / (1.0 - share) * sin(half_angle) / half_angle;
-    let angle = 2.0 * half_angle * f32(k - 1u);
-    return vec4<f32>(centroid * cos(angle), centroid * sin(angle), share, inner);
+    let is_within = cell < within;
+    let edge = sqrt(f32(within) * share);
+    let of_ring = select(CELLS - within, within, is_within);
+    let inner = select(edge, 0.0, is_within);
+    let outer = select(1.0, edge, is_within);
+    let half_angle = PI / f32(of_ring);
+    let centroid = 2.0 / 3.0 * (outer + inner * inner / (outer + inner)) * sin(half_angle) / half_angle;
+    let angle = 2.0 * half_angle * (f32(cell) + f32(ray) / f32(RAYS));
+    return vec4<f32>(centroid * cos(angle), centroid * sin(angle), share, sqrt(share));
 }
 
 /// A cone that is about all of a light which is above the horizon; its sine is 0 if there is nothing to ask.
@@ -42,15 +50,16 @@ fn light_bare(light: Light, o: vec3<f32>, n: vec3<f32>) -> f32 {
     return segment_area(disc_of(light, o, n).horizon);
 }
 
-/// A cell of a light, seen from o.
-fn light_piece(light: Light, o: vec3<f32>, n: vec3<f32>, k: i32) -> Piece {
+/// A cell of a light, seen from o, for one of a pixel's rays.
+fn light_piece(light: Light, o: vec3<f32>, n: vec3<f32>, k: i32, ray: i32) -> Piece {
+    let of_disc = u32(k + CELLS * ray);
     if !is_round(light) {
-        return piece_of_patch(light, o, n, u32(k), u32(CELLS));
+        return piece_of_patch(light, o, n, select(u32(k), of_disc, light.kind.x == LIGHT_DISK), u32(CELLS));
     }
     let disc = disc_of(light, o, n);
     let across = basis_across(disc.w);
     let uphill = vec2<f32>(dot(n, across[0]), dot(n, across[1]));
-    return piece_of_disc(disc, across, uphill / max(length(uphill), 1e-9), disc_cell(u32(k)));
+    return piece_of_disc(disc, across, uphill / max(length(uphill), 1e-9), disc_cell(of_disc));
 }
 
 /// The cone about a cell of a light whose own cone is free up to `contact`.

@@ -46,8 +46,8 @@ struct OnePass {
 }
 
 /// The radiance along a ray from the eye. `pixel_angle` is the angle between neighbouring pixels in radians, `place` where in
-/// the picture the ray is: from its centre, to the right and upwards, its corners at a distance of 1.
-fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> OnePass {
+/// the picture the ray is: from its centre, to the right and upwards, its corners at a distance of 1; `ray` which of a pixel's it is.
+fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>, ray: i32) -> OnePass {
     let eye_ray = Ray(o, w);
     let background = background_of(w, place);
     let shining = nearest_shining(eye_ray);
@@ -217,7 +217,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>) -> O
                 if cell < CELLS {
                     let lit_from = position + offset * n;
                     let light = setting_light(index);
-                    piece = light_piece(light, lit_from, n, cell);
+                    piece = light_piece(light, lit_from, n, cell, ray);
                     if is_round(light) {
                         shares += 1.0 / f32(CELLS);
                     } else {

@@ -16,7 +16,7 @@ fn draw(@builtin(global_invocation_id) id: vec3<u32>) {
         let place = vec2<f32>(pixel) + 0.5 + ray_offset(i);
         let ray = camera_ray(place);
         let from_centre = (2.0 * place - size) / length(size);
-        let seen = one_pass(ray.o, ray.w, view.forward.w, vec2<f32>(from_centre.x, -from_centre.y));
+        let seen = one_pass(ray.o, ray.w, view.forward.w, vec2<f32>(from_centre.x, -from_centre.y), i);
         sum += vec4<f32>(seen.color, f32(seen.evaluations)) / f32(RAYS);
     }
     sums[pixel.y * view.size.x + pixel.x] = sum;

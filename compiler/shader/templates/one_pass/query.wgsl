@@ -14,7 +14,7 @@ const QUERY_CONE: i32 = 1;
 const RELAXATION: f32 = 0.3;
 /// Of one query. Few grazing rays come near it.
 const MAX_STEPS: i32 = 400;
-const MAX_CONE_STEPS: i32 = 64;
+const MAX_CONE_STEPS: i32 = 192;
 /// How far ahead a planar silhouette lets a step go, of what it would allow: while looking for contact, and behind it.
 const CONE_LOOKING: f32 = 0.9;
 const CONE_FOLLOWING: f32 = 0.4;
@@ -111,7 +111,7 @@ fn ask(query: Query) -> Answer {
     // Of a cone.
     var march = march_along(
         query.w, query.sine, query.end, query.n, query.offset,
-        select(0.0, select(CONE_FOLLOWING, CONE_LOOKING, query.looks), query.proves), 0.6, query.looks,
+        select(0.0, select(CONE_FOLLOWING, CONE_LOOKING, query.looks), query.proves), select(0.25, 0.6, query.proves), query.looks,
     );
     march.proves = query.proves;
     var starts_ahead = query.start > 0.0;

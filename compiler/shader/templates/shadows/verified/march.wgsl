@@ -142,7 +142,10 @@ fn march_takes(march: March, t: f32, f: f32) -> March {
                 break;
             }
         }
-        m.slope = (f2 - m.f) / step;
+        // Nothing rises faster than along the ray itself: a receiver that isn't of the scene, as the studio's floor, has nothing of
+        // it at the origin, and its first slope tells nothing.
+        let slope = (f2 - m.f) / step;
+        m.slope = select(slope, -1.0, slope > 1.001);
         m.t = t2;
         m.f = f2;
         if f2 <= -m.sine * t2 || t2 >= m.t_max * 0.999999 {
