@@ -385,13 +385,40 @@ fn the_rig_has_the_same_energy_by_every_method() {
     }
 }
 
+/// The studio's floor isn't of the scene, whose distance says nothing of it.
+#[test]
+fn shadows_on_the_studios_floor_are_those_of_random_samples() {
+    let subject = Subject::new(
+        "difference() { cylinder(h = 46, r = 20); translate([0, 0, 4]) cylinder(h = 60, r = 17); }
+         difference() { translate([21, 0, 24]) rotate([90, 0, 0]) torus(major = 12, minor = 2.8); cylinder(h = 60, r = 18.5); }",
+    );
+    let green = |direct: Direct| blocks(&drawn(&subject, Lighting::studio(0.6), direct, [64, 48], 96), 64);
+    let (sampled, ours) = (green(Direct::Sampled), green(Direct::By(Shadows::Verified)));
+    let most = sampled.iter().zip(&ours).map(|(sampled, ours)| (sampled - ours).abs()).fold(0.0, f64::max);
+    assert!(most < 0.03, "{most}");
+}
+
+/// The means of green over blocks of four by four pixels.
+fn blocks(pixels: &[[f32; 4]], width: usize) -> Vec<f64> {
+    let rows: Vec<&[[f32; 4]]> = pixels.chunks(width).collect();
+    let mean = |rows: &[&[[f32; 4]]], x: usize| {
+        rows.iter().flat_map(|row| &row[x..x + 4]).map(|pixel| f64::from(pixel[1])).sum::<f64>() / 16.0
+    };
+    rows.chunks_exact(4).flat_map(|rows| (0..width).step_by(4).map(|x| mean(rows, x)).collect::<Vec<_>>()).collect()
+}
+
 /// The sum of a picture's green.
 fn energy(subject: &Subject, lighting: Lighting, direct: Direct) -> f64 {
-    let mut picture = Picture::new(gpu(), &subject.model, subject.view, [48, 48]).unwrap();
+    drawn(subject, lighting, direct, [48, 48], 32).iter().map(|pixel| f64::from(pixel[1])).sum()
+}
+
+/// A picture of so many samples: linear red, green and blue.
+fn drawn(subject: &Subject, lighting: Lighting, direct: Direct, size: [u32; 2], samples: u32) -> Vec<[f32; 4]> {
+    let mut picture = Picture::new(gpu(), &subject.model, subject.view, size).unwrap();
     picture.set_lighting(lighting).unwrap();
     picture.set_direct(direct).unwrap();
-    for _ in 0..32 {
+    for _ in 0..samples {
         picture.sample().unwrap();
     }
-    picture.hdr().unwrap().iter().map(|pixel| f64::from(pixel[1])).sum()
+    picture.hdr().unwrap()
 }
