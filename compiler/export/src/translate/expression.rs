@@ -155,7 +155,7 @@ impl Writer<'_> {
             return Err(TranslationError::unsupported("select without three arguments"));
         };
         let wanted = match (types[0].scalar(), types[1].scalar()) {
-            (Some(no), Some(yes)) => Some(common(common(no, yes), Scalar::AbstractFloat)),
+            (Some(no), Some(yes)) => Some(common(no, yes).concrete()),
             _ => None,
         };
         let [no, yes] = [self.expression(no, wanted)?, self.expression(yes, wanted)?];

@@ -1,15 +1,14 @@
 //! Exported shader code of every example in every language, as other people's compilers see it: glslang for GLSL and HLSL,
 //! spirv-val for SPIR-V, naga for WGSL. And the numbers it comes to, on the graphics adapter, beside those of the CPU.
 
+mod engines;
 mod support;
-
-use std::collections::BTreeSet;
 
 use chiaro_compiler::export::{Language, Package, Target};
 use chiaro_compiler::field::Evaluator;
 use chiaro_compiler::vocabulary::Bounds;
 use chiaro_tests::sampling::Random;
-use support::{Example, Stage, compiled_by_glslang, distances_on_gpu, examples, text_at, validated};
+use support::{Example, Stage, compiled_by_glslang, distances_on_gpu, examples, validated};
 
 #[test]
 fn wgsl_is_valid() {
@@ -38,43 +37,6 @@ fn glslang_accepts_every_program() {
                     uniform float iTime;\nuniform vec4 iMouse;\nout vec4 pixel;\n";
         let main = "\nvoid main() { mainImage(pixel, gl_FragCoord.xy); }\n";
         compiled_by_glslang(&example.name, &format!("{page}{image}{main}"), Stage::Fragment);
-    }
-}
-
-/// What Unity's includes declare of what its shaders read.
-const UNITY: &str = "cbuffer Unity {\n    float4x4 UNITY_MATRIX_V, UNITY_MATRIX_P, UNITY_MATRIX_VP, unity_WorldToObject, unity_ObjectToWorld;\n    \
-                     float4 _ScreenParams, _Time;\n};\n";
-
-#[test]
-fn engines_take_the_shaders() {
-    for example in examples() {
-        let unity = example.export(Target::Package(Package::Unity)).unwrap();
-        let shader = text_at(&unity, ".shader");
-        // Both pipelines declare the live numbers.
-        let is_number =
-            |line: &&str| ["        float _", "        #define _"].iter().any(|start| line.starts_with(start));
-        let lines: BTreeSet<&str> = shader.lines().filter(is_number).filter(|line| !line.contains("_unused")).collect();
-        let numbers: String = lines.into_iter().map(|line| format!("{line}\n")).collect();
-        let solid = format!(
-            "{UNITY}{numbers}{}\nfloat4 pixel(float3 p : POINT) : SV_Target {{\n    SceneHit hit = MeetScene(p);\n    \
-             return float4(hit.normalWS, SceneDepth(hit.positionCS));\n}}\n",
-            text_at(&unity, ".hlsl")
-        );
-        compiled_by_glslang(&example.name, &solid, Stage::HlslPixel);
-        let picture = format!(
-            "{UNITY}{numbers}{}\nfloat4 pixel(float3 p : POINT) : SV_Target {{\n    OnePass seen = one_pass(ScenePoint(p), p, 0.1, p.xy, 0);\n    \
-             return float4(shown(seen.color), seen.t);\n}}\n",
-            text_at(&unity, "_picture.hlsl")
-        );
-        compiled_by_glslang(&example.name, &picture, Stage::HlslPixel);
-
-        let unreal = example.export(Target::Package(Package::Unreal)).unwrap();
-        let material = format!(
-            "{}\nfloat4 pixel(float3 p : POINT) : SV_Target {{\n    SceneHit hit = MeetScene(p, p, 1.0, 1.0);\n    \
-             return float4(hit.Normal, hit.DepthOffset);\n}}\n",
-            text_at(&unreal, ".ush")
-        );
-        compiled_by_glslang(&example.name, &material, Stage::HlslPixel);
     }
 }
 
