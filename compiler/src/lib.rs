@@ -12,6 +12,7 @@
 //! [`compile`] goes from a file's name to the field graph. Every stage is a function from one plain datum to the next;
 //! no stage looks back, and none touches a file, a clock or a GPU: files come through the caller's [`World`].
 
+#[cfg(feature = "export")]
 mod naming;
 mod provenance;
 mod scene;
@@ -22,12 +23,14 @@ use chiaro_eval::{Evaluation, STACK_BYTES, evaluate};
 use chiaro_syntax::{Diagnostic, Severity, SourceFile, Sources};
 
 pub use chiaro_eval::{Facets, LiveLiteral, Options, World};
+#[cfg(feature = "export")]
 pub use chiaro_export as export;
 pub use chiaro_field as field;
 pub use chiaro_shader as shader;
 pub use chiaro_solid as solid;
 pub use chiaro_syntax as syntax;
 pub use chiaro_vocabulary as vocabulary;
+#[cfg(feature = "export")]
 pub use naming::ModuleNames;
 pub use provenance::{Bent, Matrix, Origin, Provenance, SolidId, Tree};
 pub use scene::Scene;
