@@ -3,11 +3,13 @@
 //!
 //! * [`Source`] is a scene's functions as one WGSL text, with live parameters under their own names.
 //! * [`translate`] says the same in GLSL, HLSL or Metal: comments, loops and names stay as they are.
+//! * [`listing()`] is what people look at: with the expression that each line stands for.
 //! * [`export`] puts that into a [`Target`]'s templates (the folder `packages`).
 
 mod context;
 mod lamps;
 mod languages;
+mod listing;
 mod packages;
 mod parameters;
 mod source;
@@ -15,6 +17,7 @@ mod subject;
 mod target;
 mod translate;
 
+pub use listing::listing;
 pub use parameters::{Parameter, snake_case};
 pub use source::Source;
 pub use subject::{Camera, Scene};

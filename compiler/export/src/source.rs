@@ -30,7 +30,17 @@ impl Source {
     ///
     /// An error if the scene has outlines with more edges than constants may hold.
     pub fn new(graph: &Graph, live: &[LiveParameter], names: Names, caller: &str) -> Result<Self, Diagnostic> {
-        let Library { vocabulary, functions, tables, .. } = library(graph, names, caller)?;
+        Self::of(library(graph, names, caller)?, graph, live, caller)
+    }
+
+    /// That of a field's library.
+    pub(crate) fn of(
+        library: Library,
+        graph: &Graph,
+        live: &[LiveParameter],
+        caller: &str,
+    ) -> Result<Self, Diagnostic> {
+        let Library { vocabulary, functions, tables, .. } = library;
         if tables.rows.len() > MOST_ROWS {
             let root = graph.spans.get(graph.root.0 as usize).copied();
             let count = tables.rows.len();

@@ -13,6 +13,9 @@ use crate::settings::{Settings, Theme};
 use crate::viewport::Viewport;
 use crate::{dialogs, gallery, menu, panels, status, text, theme};
 
+/// The part of the window's width that the text has at first.
+const TEXT: f32 = 0.38;
+
 /// How the editor starts.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
@@ -43,6 +46,8 @@ pub struct Editor {
     pub(crate) only_picture: bool,
     /// The size of text that the window's style was made for, in points.
     styled: f32,
+    /// What the window is called.
+    title: String,
 }
 
 impl Editor {
@@ -71,6 +76,7 @@ impl Editor {
             adapter: options.adapter,
             only_picture: options.only_picture,
             styled: 0.0,
+            title: String::new(),
         };
         match options.files.is_empty() {
             true => editor.open_last(),
@@ -138,6 +144,20 @@ impl Editor {
         }
     }
 
+    /// Calls the window by the text that is open.
+    fn name_window(&mut self, context: &Context) {
+        let document = self.session.active();
+        let mark = if document.is_modified() { " •" } else { "" };
+        let title = match self.session.is_blank() {
+            true => "Chiaro".to_owned(),
+            false => format!("{}{mark} – Chiaro", document.title()),
+        };
+        if self.title != title {
+            context.send_viewport_cmd(egui::ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+    }
+
     /// Lets the time of the scene pass.
     fn advance_clock(&mut self, ui: &Ui) {
         if self.clock.advance() {
@@ -150,6 +170,7 @@ impl Editor {
 impl eframe::App for Editor {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         self.style(&ui.ctx().clone());
+        self.name_window(&ui.ctx().clone());
         self.take_dropped(&ui.ctx().clone());
         if let Some(due) = self.session.poll() {
             ui.ctx().request_repaint_after(due);
@@ -163,9 +184,10 @@ impl eframe::App for Editor {
         }
         Panel::bottom("status").show(ui, |ui| status::show(self, ui));
         if !self.only_picture {
-            Panel::left("text").default_size(520.0).show(ui, |ui| text::show(self, ui));
+            let width = ui.available_width();
+            Panel::left("text").default_size((TEXT * width).min(560.0)).show(ui, |ui| text::show(self, ui));
             if self.settings.shows_panel {
-                Panel::right("panel").default_size(320.0).show(ui, |ui| panels::show(self, ui));
+                Panel::right("panel").default_size(336.0).min_size(240.0).show(ui, |ui| panels::show(self, ui));
             }
         }
         if self.only_picture && self.session.has_errors() {

@@ -6,10 +6,10 @@ use std::sync::Arc;
 use chiaro_compiler::vocabulary::Bounds;
 use chiaro_compiler::{Scene, compile};
 use chiaro_files::images::{Format, write_exr, write_png};
-use chiaro_render::{Floor, Gpu, Lighting, Model, Picture, Preference, View};
+use chiaro_render::{Floor, Gpu, Inspection, Inspector, Lighting, Model, Picture, Preference, View};
 
 use crate::session::Session;
-use crate::studio::{BufferWorld, Eye, LiveValue, Program, Wanted};
+use crate::studio::{BufferWorld, Eye, LiveValue, Look, Program, Wanted};
 use crate::worker::Progress;
 
 /// The name of OpenSCAD's clock.
@@ -48,6 +48,16 @@ pub(crate) enum FilmFormat {
     Animation,
 }
 
+impl Film {
+    /// The first file that is written.
+    pub(crate) fn first_file(&self, path: &Path) -> PathBuf {
+        match self.format {
+            FilmFormat::Sequence => numbered(path, 0, self.frames),
+            FilmFormat::Animation => path.to_owned(),
+        }
+    }
+}
+
 impl Shot {
     /// The picture in the window, if there is one: the scene as it is seen there.
     pub(crate) fn of(session: &Session, adapter: Preference, size: [u32; 2], samples: u32) -> Option<Self> {
@@ -62,16 +72,41 @@ pub(crate) fn still(shot: &Shot, path: &Path, progress: &Progress) -> Result<(),
     let format = Format::of(path).map_err(|error| format!("{error:#}"))?;
     progress.expect(shot.samples);
     let gpu = Gpu::new(&shot.adapter).map_err(said)?;
+    let size = (shot.size[0], shot.size[1]);
+    if let Look::Inspected(inspection) = shot.wanted.look {
+        if format == Format::Exr {
+            return Err("only what is lit has radiance: write a PNG, or show the scene lit".to_owned());
+        }
+        return match inspected(&gpu, shot, &inspection, progress)? {
+            Some(pixels) => write_png(path, size, pixels).map_err(|error| format!("{error:#}")),
+            None => Ok(()),
+        };
+    }
     let mut set = Set::new(&gpu, shot)?;
     if !set.draw(shot.samples, progress)? {
         return Ok(());
     }
-    let size = (shot.size[0], shot.size[1]);
     let written = match format {
         Format::Png => write_png(path, size, set.picture.resolve().map_err(said)?),
         Format::Exr => write_exr(path, size, &set.picture.hdr().map_err(said)?),
     };
     written.map_err(|error| format!("{error:#}"))
+}
+
+/// The scene as it is shown when it is not lit, in 8 bits of sRGB and alpha; none, if it was cancelled.
+fn inspected(gpu: &Gpu, shot: &Shot, inspection: &Inspection, progress: &Progress) -> Result<Option<Vec<u8>>, String> {
+    let values = shot.wanted.parameters(&shot.scene);
+    let model = Model::new(gpu, &shot.scene.picture(), &values).map_err(said)?;
+    let frame = model.extent(gpu).map_err(said)?;
+    let aspect = f64::from(shot.size[0]) / f64::from(shot.size[1].max(1));
+    let view = match shot.wanted.eye {
+        Eye::At(view) => view,
+        eye => View::framing(&eye.camera(&shot.scene.camera), &values, &frame, aspect),
+    };
+    let mut inspector = Inspector::new(gpu, &model).map_err(said)?;
+    inspector.set_parameters(&values).map_err(said)?;
+    let drawing = inspector.draw_while(view, shot.size, inspection, &|| !progress.is_cancelled()).map_err(said)?;
+    Ok(drawing.map(|drawing| drawing.pixels))
 }
 
 /// Draws a film into files. Nothing is left of a film that was cancelled or failed.

@@ -1,8 +1,8 @@
 //! The live-reload editor: text at one side, the lit scene at the other.
 //!
-//! [`Editor`] is the window's contents. A `Session` holds the open texts, and asks a `Studio` to compile and draw them. The studio has two threads, one that compiles and one that draws; each always works on the newest request
-//! and forgets older ones, so that the window's own thread never waits, and the last good picture stays while a text is
-//! broken.
+//! [`Editor`] is the window's contents. A `Session` holds the open texts, and asks a `Studio` to compile and draw them. The
+//! studio has two threads, one that compiles and one that draws; each always works on the newest request and forgets older
+//! ones, so that the window's own thread never waits, and the last good picture stays while a text is broken.
 //!
 //! ```text
 //! window ──Program──► compiling thread ──Subject──► drawing thread ──Frame──► window
@@ -34,6 +34,7 @@ mod disk;
 mod recovery;
 mod settings;
 mod worker;
+mod workshop;
 
 #[cfg(test)]
 mod tests;
@@ -49,7 +50,11 @@ const NAME: &str = "chiaro";
 /// If there is no display, or no graphics driver that can draw a window.
 pub fn run(options: Options) -> eframe::Result {
     let native = eframe::NativeOptions {
-        viewport: egui::ViewportBuilder::default().with_title("Chiaro").with_inner_size([1440.0, 860.0]),
+        viewport: egui::ViewportBuilder::default()
+            .with_title("Chiaro")
+            .with_app_id(NAME)
+            .with_inner_size([1440.0, 860.0])
+            .with_min_inner_size([640.0, 400.0]),
         ..Default::default()
     };
     eframe::run_native(NAME, native, Box::new(|context| Ok(Box::new(Editor::new(context, options)))))

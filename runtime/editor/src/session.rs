@@ -72,6 +72,8 @@ pub(crate) struct Outcome {
 
 /// A scene that compiled.
 pub(crate) struct Shown {
+    /// The text that is drawn.
+    pub(crate) document: DocumentId,
     pub(crate) revision: u64,
     pub(crate) sources: Arc<Sources>,
     pub(crate) scene: Arc<Scene>,
@@ -287,6 +289,21 @@ impl Session {
         Program { revision: self.revision, main: self.scene_document().name(), buffers, options }
     }
 
+    /// The parameters that moved in the picture since it was compiled, with their values as expressions of the language.
+    pub(crate) fn moved(&self) -> BTreeMap<String, String> {
+        let mut moved: BTreeMap<String, Vec<String>> = BTreeMap::new();
+        // Numbers that are live because they were edited stand in the text; the clock is nobody's choice.
+        for value in self.values.iter().filter(|value| !value.name.starts_with(['@', '$'])) {
+            moved.entry(value.name.clone()).or_default().push(value.value.to_string());
+        }
+        let is_vector = |name: &str| self.values.iter().any(|value| value.name == name && value.component.is_some());
+        let expression = |name: &str, values: Vec<String>| match is_vector(name) {
+            true => format!("[{}]", values.join(", ")),
+            false => values.concat(),
+        };
+        moved.into_iter().map(|(name, values)| (name.clone(), expression(&name, values))).collect()
+    }
+
     /// Changes what is wanted of the picture; its live values are the session's.
     pub(crate) fn want(&mut self, wanted: Wanted) {
         let values = self.wanted.values.clone();
@@ -336,9 +353,13 @@ impl Session {
             Event::Compiled(compiled) if compiled.revision == self.revision => {
                 let (revision, sources) = (compiled.revision, compiled.sources);
                 self.trouble = None;
+                let document = self.scene;
                 if let Some(scene) = compiled.scene {
-                    self.shown = Some(Shown { revision, sources: sources.clone(), scene, provenance: None });
+                    self.shown = Some(Shown { document, revision, sources: sources.clone(), scene, provenance: None });
                     self.show();
+                } else if self.shown.as_ref().is_some_and(|shown| shown.document != document) {
+                    // The last good scene of another text says nothing about this one.
+                    self.shown = None;
                 }
                 self.outcome = Some(Outcome { revision, sources, diagnostics: compiled.diagnostics });
                 self.watch_files();
@@ -398,6 +419,11 @@ impl Session {
         let read = self.files_read();
         let open = self.documents.iter().filter_map(|document| document.path.as_deref());
         self.watch.watch(open.chain(read.iter().map(PathBuf::as_path)));
+    }
+
+    #[cfg(test)]
+    pub(crate) fn sabotage(&self) -> &crate::studio::sabotage::Sabotage {
+        self.studio.sabotage()
     }
 
     /// Whether the text that is drawn has errors.

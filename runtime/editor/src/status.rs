@@ -2,13 +2,11 @@
 
 use std::time::Duration;
 
-use egui::{Color32, Ui};
+use egui::{Label, RichText, Ui};
 
 use crate::app::Editor;
 use crate::gallery;
 
-/// What is wrong.
-const RED: Color32 = Color32::from_rgb(220, 80, 60);
 /// After so long, the line says for how long the picture is being waited for.
 const LONG: Duration = Duration::from_secs(1);
 
@@ -23,25 +21,40 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
         state(editor, ui);
         let timings = &editor.viewport.timings;
         ui.separator();
-        ui.label(format!(
-            "compile {} · pipelines {} · first sample {} · key to frame {}",
-            milliseconds(timings.compile),
-            milliseconds(timings.pipelines),
-            milliseconds(timings.first_sample),
-            milliseconds(timings.to_frame)
-        ));
+        quiet(
+            ui,
+            format!(
+                "compile {} · pipelines {} · first sample {} · key to frame {}",
+                milliseconds(timings.compile),
+                milliseconds(timings.pipelines),
+                milliseconds(timings.first_sample),
+                milliseconds(timings.to_frame)
+            ),
+        );
         ui.separator();
-        ui.label(format!("sample {} in {}", editor.viewport.samples, milliseconds(timings.sample)));
+        quiet(ui, format!("sample {} in {}", editor.viewport.samples, milliseconds(timings.sample)));
         ui.separator();
-        ui.weak(&editor.session.device);
+        quiet(ui, editor.session.device.clone());
     });
+}
+
+/// What is there to be looked up. It gives way to the rest where there is little room.
+fn quiet(ui: &mut Ui, text: String) {
+    ui.add(Label::new(RichText::new(&text).weak()).truncate()).on_hover_text(text);
+}
+
+/// What is wrong: as much of it as there is room for.
+fn loud(ui: &mut Ui, text: &str) {
+    let color = ui.visuals().error_fg_color;
+    ui.add(Label::new(RichText::new(text).color(color)).truncate()).on_hover_text(text);
 }
 
 /// What the user asked for and could not be done, until they have seen it.
 fn failure(editor: &mut Editor, ui: &mut Ui) {
     let Some(failure) = &editor.session.failure else { return };
-    ui.colored_label(RED, failure);
-    if ui.small_button("OK").clicked() {
+    let is_seen = ui.small_button("OK").clicked();
+    loud(ui, failure);
+    if is_seen {
         editor.session.failure = None;
     }
     ui.separator();
@@ -50,17 +63,24 @@ fn failure(editor: &mut Editor, ui: &mut Ui) {
 fn state(editor: &Editor, ui: &mut Ui) {
     let session = &editor.session;
     if let Some(trouble) = &session.trouble {
-        ui.colored_label(RED, trouble);
-    } else if !session.is_compiled() {
-        ui.label(waiting("compiling", session.waits_since(), ui));
-    } else if session.has_errors() {
+        loud(ui, trouble);
+    } else if session.is_compiled() && session.has_errors() {
         let picture = if session.shown.is_some() { ": the picture is of the last text without any" } else { "" };
-        ui.colored_label(RED, format!("errors{picture}"));
-    } else if session.is_outdated() {
-        ui.label(waiting("preparing the picture", session.waits_since(), ui));
+        loud(ui, &format!("errors{picture}"));
     } else {
-        ui.label("ready");
+        ui.label(under_way(editor, ui).unwrap_or_else(|| "ready".to_owned()));
     }
+}
+
+/// What is being waited for, if anything is.
+pub(crate) fn under_way(editor: &Editor, ui: &Ui) -> Option<String> {
+    let session = &editor.session;
+    let what = match (session.is_compiled(), session.is_outdated()) {
+        (false, _) => "compiling",
+        (true, true) => "preparing the picture",
+        (true, false) => return None,
+    };
+    Some(waiting(what, session.waits_since(), ui))
 }
 
 /// What is under way, and for how long already if that is long.

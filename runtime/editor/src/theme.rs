@@ -2,7 +2,8 @@
 
 use egui::style::{Selection, WidgetVisuals};
 use egui::{
-    Color32, Context, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle, Theme, Visuals,
+    Color32, Context, CornerRadius, FontFamily, FontId, Margin, RichText, Shadow, Stroke, Style, TextStyle, Theme,
+    Visuals,
 };
 
 /// The corners of buttons and of windows, in points.
@@ -20,6 +21,8 @@ struct Palette {
     /// What can be pressed, as it lies there, under the pointer, and pressed.
     button: [Color32; 3],
     line: Color32,
+    /// About what can be pressed.
+    edge: Color32,
     text: Color32,
     strong: Color32,
     weak: Color32,
@@ -36,6 +39,7 @@ const LIGHT: Palette = Palette {
     field: Color32::from_rgb(255, 255, 255),
     button: [Color32::from_rgb(232, 232, 229), Color32::from_rgb(222, 223, 221), Color32::from_rgb(206, 209, 210)],
     line: Color32::from_rgb(218, 218, 214),
+    edge: Color32::from_rgb(206, 206, 202),
     text: Color32::from_rgb(52, 54, 58),
     strong: Color32::from_rgb(16, 18, 22),
     weak: Color32::from_rgb(104, 107, 112),
@@ -52,6 +56,7 @@ const DARK: Palette = Palette {
     field: Color32::from_rgb(23, 24, 27),
     button: [Color32::from_rgb(50, 53, 58), Color32::from_rgb(62, 66, 72), Color32::from_rgb(76, 81, 88)],
     line: Color32::from_rgb(54, 57, 62),
+    edge: Color32::from_rgb(66, 70, 76),
     text: Color32::from_rgb(206, 208, 211),
     strong: Color32::from_rgb(244, 245, 246),
     weak: Color32::from_rgb(148, 152, 158),
@@ -71,6 +76,11 @@ pub(crate) fn apply(context: &Context, text_size: f32) {
             style.visuals = visuals(theme, palette);
         });
     }
+}
+
+/// A sign as a button's face. The proportional font has none.
+pub(crate) fn sign(sign: &str) -> RichText {
+    RichText::new(sign).monospace()
 }
 
 fn space(style: &mut Style) {
@@ -130,7 +140,7 @@ fn visuals(theme: Theme, palette: &Palette) -> Visuals {
     };
     let widgets = &mut visuals.widgets;
     widgets.noninteractive = widget(palette.panel, palette.line, palette.text);
-    widgets.inactive = widget(palette.button[0], Color32::TRANSPARENT, palette.text);
+    widgets.inactive = widget(palette.button[0], palette.edge, palette.text);
     widgets.hovered = widget(palette.button[1], palette.line, palette.strong);
     widgets.active = widget(palette.button[2], palette.accent, palette.strong);
     widgets.open = widget(palette.button[1], palette.line, palette.strong);

@@ -63,6 +63,13 @@ impl Progress {
         self.all.store(all, Ordering::Relaxed);
     }
 
+    /// So many of so many steps are done.
+    pub(crate) fn show(&self, done: usize, of: usize) {
+        self.all.store(of.try_into().unwrap_or(u32::MAX), Ordering::Relaxed);
+        self.done.store(done.try_into().unwrap_or(u32::MAX), Ordering::Relaxed);
+        self.context.request_repaint();
+    }
+
     /// A step is done.
     pub(crate) fn step(&self) {
         self.done.fetch_add(1, Ordering::Relaxed);

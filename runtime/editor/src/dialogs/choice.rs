@@ -74,7 +74,7 @@ impl Choice {
         Self { title, before: before.to_owned(), asking: Asking::in_window(before) }
     }
 
-    /// Whether the window itself asks.
+    /// Whether the window itself asks: it doesn't ask before something is written over.
     pub(super) fn is_in_window(&self) -> bool {
         matches!(self.asking, Asking::Window(..))
     }

@@ -1,11 +1,12 @@
 //! Opening and saving.
 
 use std::collections::VecDeque;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use egui::{Context, ViewportCommand};
 
 use super::choice::Choice;
+use super::overwrite::Overwrite;
 use crate::app::Editor;
 use crate::document::{Document, DocumentId};
 
@@ -21,6 +22,8 @@ struct Saving {
     waiting: VecDeque<DocumentId>,
     /// The text whose file is being chosen.
     named: Option<(DocumentId, Choice)>,
+    /// The file that was chosen, where something is already.
+    taken: Option<(DocumentId, PathBuf, Overwrite)>,
     then: Then,
 }
 
@@ -43,6 +46,9 @@ impl Files {
 
     /// Whether the window itself asks for a file.
     pub(super) fn is_asking(&self) -> bool {
+        if self.saving.as_ref().is_some_and(|saving| saving.taken.is_some()) {
+            return true;
+        }
         let named = self.saving.as_ref().and_then(|saving| saving.named.as_ref());
         self.opening.iter().chain(named.map(|(_, choice)| choice)).any(Choice::is_in_window)
     }
@@ -68,16 +74,16 @@ impl Editor {
 
     /// Saves these texts. If that works out, something follows.
     pub(crate) fn save_then(&mut self, documents: Vec<DocumentId>, then: Then) {
-        self.dialogs.files.saving = Some(Saving { waiting: documents.into(), named: None, then });
+        self.dialogs.files.saving = Some(Saving { waiting: documents.into(), named: None, taken: None, then });
     }
 }
 
 #[cfg(test)]
 impl Files {
     /// Saves a text as if the system had no dialog to ask for its file.
-    pub(crate) fn save_in_window(&mut self, id: DocumentId, path: &std::path::Path) {
+    pub(crate) fn save_in_window(&mut self, id: DocumentId, path: &Path) {
         let named = Some((id, Choice::in_window("Save as", path)));
-        self.saving = Some(Saving { waiting: VecDeque::new(), named, then: Then::Stay });
+        self.saving = Some(Saving { waiting: VecDeque::new(), named, taken: None, then: Then::Stay });
     }
 }
 
@@ -105,9 +111,25 @@ fn advance(editor: &mut Editor, saving: &mut Saving, context: &Context) -> Resul
     loop {
         if let Some((id, choice)) = &mut saving.named {
             let Some(chosen) = choice.poll(context) else { return Ok(false) };
-            let path = chosen.into_iter().next().ok_or(None)?;
-            save_as(editor, *id, with_ending(path))?;
+            let chosen = chosen.into_iter().next().ok_or(None)?;
+            let path = with_ending(chosen.clone());
+            let (id, is_asked) = (*id, !choice.is_in_window() && path == chosen);
             saving.named = None;
+            // The system's dialog asked already, if that is the name it knows.
+            let overwrite = Overwrite::if_occupied(&path).filter(|_| !is_asked && !is_own_file(editor, id, &path));
+            match overwrite {
+                Some(overwrite) => saving.taken = Some((id, path, overwrite)),
+                None => save_as(editor, id, path)?,
+            }
+        }
+        if let Some((id, path, overwrite)) = &saving.taken {
+            let Some(answer) = overwrite.ask(context) else { return Ok(false) };
+            let (id, path) = (*id, path.clone());
+            saving.taken = None;
+            match answer {
+                true => save_as(editor, id, path)?,
+                false => return Err(None),
+            }
         }
         let Some(id) = saving.waiting.pop_front() else { return Ok(true) };
         let Some(document) = editor.session.documents().iter().find(|document| document.id == id) else { continue };
@@ -116,6 +138,12 @@ fn advance(editor: &mut Editor, saving: &mut Saving, context: &Context) -> Resul
             None => saving.named = Some((id, named(document, context))),
         }
     }
+}
+
+/// Whether a text has that file already.
+fn is_own_file(editor: &Editor, id: DocumentId, path: &Path) -> bool {
+    let document = editor.session.documents().iter().find(|document| document.id == id);
+    document.is_some_and(|document| document.path.as_deref() == std::path::absolute(path).ok().as_deref())
 }
 
 /// Saves a text to another file, which is its own from then on if that worked.

@@ -4,6 +4,7 @@ mod choice;
 pub(crate) mod export;
 pub(crate) mod files;
 mod keys;
+mod overwrite;
 mod place;
 pub(crate) mod record;
 mod recovered;
@@ -31,7 +32,30 @@ pub(crate) struct Dialogs {
 impl Dialogs {
     /// Whether an answer is needed before anything else.
     pub(crate) fn is_blocking(&self) -> bool {
-        self.unsaved.is_some() || self.recovered.is_some() || self.files.is_asking()
+        self.unsaved.is_some()
+            || self.recovered.is_some()
+            || self.files.is_asking()
+            || self.export.as_ref().is_some_and(export::Export::is_asking)
+            || self.record.as_ref().is_some_and(record::Record::is_asking)
+    }
+
+    /// Opens the export in the place of what is open, unless that is at work.
+    pub(crate) fn open_export(&mut self, export: export::Export) {
+        if !self.is_busy() {
+            (self.export, self.record) = (Some(export), None);
+        }
+    }
+
+    /// Opens the recording in the place of what is open, unless that is at work.
+    pub(crate) fn open_record(&mut self, record: record::Record) {
+        if !self.is_busy() {
+            (self.export, self.record) = (None, Some(record));
+        }
+    }
+
+    fn is_busy(&self) -> bool {
+        self.export.as_ref().is_some_and(export::Export::is_busy)
+            || self.record.as_ref().is_some_and(record::Record::is_busy)
     }
 }
 

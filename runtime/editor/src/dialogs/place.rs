@@ -13,16 +13,17 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// A file beside another one.
-    pub(crate) fn beside(scene: Option<&Path>, ending: &str) -> Self {
-        let home = || std::env::current_dir().unwrap_or_default().join("scene");
-        let path = scene.map_or_else(home, Path::to_owned).with_extension(ending);
-        Self { path: path.display().to_string(), choice: None }
+    /// A file beside another one, of the same name with another ending; none for a folder.
+    pub(crate) fn beside(other: &Path, ending: Option<&str>) -> Self {
+        let path = std::path::absolute(other).unwrap_or_else(|_| other.to_owned());
+        let mut place = Self { path: path.display().to_string(), choice: None };
+        place.end(ending);
+        place
     }
 
-    /// Gives it another ending.
-    pub(crate) fn end(&mut self, ending: &str) {
-        self.path = Path::new(&self.path).with_extension(ending).display().to_string();
+    /// Gives it another ending, or none.
+    pub(crate) fn end(&mut self, ending: Option<&str>) {
+        self.path = Path::new(&self.path).with_extension(ending.unwrap_or("")).display().to_string();
     }
 
     /// The path as one to write to.
@@ -30,11 +31,11 @@ impl Place {
         PathBuf::from(&self.path)
     }
 
-    /// Shows it.
+    /// Shows it: a label, and what stands behind it.
     pub(crate) fn show(&mut self, ui: &mut Ui) {
         self.poll(ui.ctx());
+        let label = ui.label("File");
         ui.horizontal(|ui| {
-            let label = ui.label("File");
             let width = (ui.available_width() - 90.0).max(80.0);
             ui.add(egui::TextEdit::singleline(&mut self.path).desired_width(width)).labelled_by(label.id);
             if ui.button("Choose…").clicked() {

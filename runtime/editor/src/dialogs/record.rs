@@ -1,8 +1,9 @@
 //! Recording a film of `$t`.
 
-use egui::{ComboBox, Context, DragValue, Ui, Window};
+use egui::{ComboBox, Context, DragValue, Grid, Ui};
 
-use super::export::{FrameSize, tell, under_way};
+use super::export::{FrameSize, dialog, tell, under_way};
+use super::overwrite::Overwrite;
 use super::place::Place;
 use crate::app::Editor;
 use crate::darkroom::{Film, FilmFormat, Shot, film};
@@ -19,6 +20,8 @@ pub(crate) struct Record {
     place: Place,
     frame: FrameSize,
     job: Option<Job<Result<(), String>>>,
+    /// What is to be written over, if the user says so.
+    overwrite: Option<Overwrite>,
     outcome: Option<Result<String, String>>,
 }
 
@@ -27,14 +30,41 @@ impl Record {
     pub(crate) fn new(editor: &Editor) -> Self {
         let frames = (25.0 * editor.clock.period).round().clamp(1.0, 1000.0) as u32;
         let film = Film { frames, range: [0.0, 1.0], frames_per_second: 25, format: FilmFormat::Animation };
-        let place = Place::beside(editor.session.scene_document().path.as_deref(), "png");
+        let scene = editor.session.scene_document();
+        let place = Place::beside(&scene.path.clone().unwrap_or_else(|| scene.title().into()), Some("png"));
         let frame = FrameSize { samples: SAMPLES, ..FrameSize::of(editor) };
-        Self { film, place, frame, job: None, outcome: None }
+        Self { film, place, frame, job: None, overwrite: None, outcome: None }
+    }
+
+    /// Whether a film is being written.
+    pub(super) fn is_busy(&self) -> bool {
+        self.job.is_some()
+    }
+
+    /// Whether an answer is needed before anything else.
+    pub(super) fn is_asking(&self) -> bool {
+        self.overwrite.is_some()
+    }
+
+    /// Begins, after asking if something would be written over.
+    fn ask_to_start(&mut self, editor: &Editor, context: &Context) {
+        self.outcome = None;
+        self.overwrite = Overwrite::if_occupied(&self.film.first_file(&self.place.path()));
+        if self.overwrite.is_none() {
+            self.start(editor, context);
+        }
+    }
+
+    fn answer(&mut self, editor: &Editor, context: &Context) {
+        let Some(answer) = self.overwrite.as_ref().and_then(|overwrite| overwrite.ask(context)) else { return };
+        self.overwrite = None;
+        if answer {
+            self.start(editor, context);
+        }
     }
 
     fn start(&mut self, editor: &Editor, context: &Context) {
         let (settings, path) = (self.film, self.place.path());
-        self.outcome = None;
         let shot = Shot::of(&editor.session, editor.adapter.clone(), self.frame.size, self.frame.samples);
         let job = shot.map(|shot| Job::start(context, move |progress| film(&shot, settings, &path, progress)));
         match job {
@@ -59,16 +89,16 @@ impl Record {
 pub(super) fn show(editor: &mut Editor, context: &Context) {
     let Some(mut record) = editor.dialogs.record.take() else { return };
     record.poll();
+    record.answer(editor, context);
     let mut is_open = true;
-    Window::new("Record").open(&mut is_open).collapsible(false).resizable(false).show(context, |ui| {
-        ui.set_width(420.0);
+    dialog("Record", &mut is_open, context, |ui| {
         let is_idle = record.job.is_none();
         ui.add_enabled_ui(is_idle, |ui| controls(&mut record, ui));
         ui.add_space(8.0);
         ui.horizontal(|ui| {
             if is_idle {
                 if ui.button("Record").clicked() {
-                    record.start(editor, ui.ctx());
+                    record.ask_to_start(editor, ui.ctx());
                 }
             } else {
                 under_way(ui, record.job.as_ref());
@@ -88,24 +118,35 @@ fn controls(record: &mut Record, ui: &mut Ui) {
         FilmFormat::Animation => "One animated PNG",
         FilmFormat::Sequence => "A PNG for each frame",
     };
-    let film = &mut record.film;
-    ComboBox::from_label("Format").selected_text(name(film.format)).width(180.0).show_ui(ui, |ui| {
-        for format in [FilmFormat::Animation, FilmFormat::Sequence] {
-            ui.selectable_value(&mut film.format, format, name(format));
-        }
-    });
-    record.place.show(ui);
-    record.frame.show(ui);
-    ui.horizontal(|ui| {
+    Grid::new("record").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| {
+        let film = &mut record.film;
+        ui.label("Format");
+        let combo = ComboBox::from_id_salt("format").selected_text(name(film.format)).width(ui.available_width());
+        combo.show_ui(ui, |ui| {
+            for format in [FilmFormat::Animation, FilmFormat::Sequence] {
+                ui.selectable_value(&mut film.format, format, name(format));
+            }
+        });
+        ui.end_row();
+        record.place.show(ui);
+        ui.end_row();
+        record.frame.show(ui);
+        ui.end_row();
         let label = ui.label("Frames");
-        ui.add(DragValue::new(&mut film.frames).range(1..=MOST_FRAMES)).labelled_by(label.id);
-        let label = ui.label("a second");
-        ui.add(DragValue::new(&mut film.frames_per_second).range(1..=120)).labelled_by(label.id);
-    });
-    ui.horizontal(|ui| {
-        for (name, time) in ["$t from", "to"].into_iter().zip(&mut film.range) {
-            let label = ui.label(name);
-            ui.add(DragValue::new(time).range(0.0..=1.0).speed(0.01).max_decimals(3)).labelled_by(label.id);
-        }
+        ui.horizontal(|ui| {
+            ui.add(DragValue::new(&mut film.frames).range(1..=MOST_FRAMES)).labelled_by(label.id);
+            ui.label("at");
+            ui.add(DragValue::new(&mut film.frames_per_second).range(1..=120).suffix(" a second"));
+        });
+        ui.end_row();
+        let label = ui.label("$t from");
+        ui.horizontal(|ui| {
+            let time = |time| DragValue::new(time).range(0.0..=1.0).speed(0.01).max_decimals(3);
+            let [from, to] = &mut film.range;
+            ui.add(time(from)).labelled_by(label.id);
+            ui.label("to");
+            ui.add(time(to));
+        });
+        ui.end_row();
     });
 }

@@ -29,6 +29,9 @@ pub(crate) struct Panels {
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.add_space(2.0);
     ui.horizontal_wrapped(|ui| {
+        // All of them fit into one line of the panel as it is at first.
+        ui.spacing_mut().item_spacing.x = 1.0;
+        ui.spacing_mut().button_padding.x = 6.0;
         for panel in Panel::ALL {
             let name = name(editor, ui, panel);
             ui.selectable_value(&mut editor.settings.panel, panel, name);
@@ -72,6 +75,11 @@ impl Panels {
     /// The code in the shader panel.
     pub(crate) fn shader_text(&self) -> &str {
         self.shader.text()
+    }
+
+    /// Shows it in another language.
+    pub(crate) fn set_language(&mut self, language: chiaro_compiler::export::Language) {
+        self.shader.set_language(language);
     }
 
     /// The lines of it that are marked.

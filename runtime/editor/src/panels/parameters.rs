@@ -8,11 +8,15 @@ mod control;
 use std::collections::BTreeMap;
 
 use chiaro_assist::{Control, Edit, Group, Parameter, apply, parameters, set_parameter};
-use egui::{CollapsingHeader, RichText, ScrollArea, Ui};
+use egui::{Align, Button, CollapsingHeader, Label, Layout, RichText, Role, ScrollArea, Ui, WidgetInfo, vec2};
 
 use crate::app::Editor;
 use crate::session::Session;
 use crate::studio::LiveValue;
+use crate::theme::sign;
+
+/// The part of the panel's width that names have.
+const NAME: f32 = 0.32;
 
 /// The parameters of the text they were found in.
 #[derive(Default)]
@@ -29,9 +33,11 @@ pub(crate) struct Parameters {
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     let memory = std::mem::take(&mut editor.panels.parameters);
     if memory.groups.is_empty() {
-        ui.label("This scene has no parameters.");
-        ui.weak("A comment behind a variable makes it one:");
-        ui.monospace("width = 20; // [10:50]");
+        ui.label("This scene has no parameters yet.");
+        ui.weak("Variables at its beginning are shown here, and comments behind them say how:");
+        for line in ["width = 20; // [10:50]", "hollow = true;", "style = \"round\"; // [round, sharp]"] {
+            ui.monospace(line);
+        }
     } else {
         head(editor, ui, &memory);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
@@ -109,42 +115,59 @@ fn head(editor: &mut Editor, ui: &mut Ui, memory: &Parameters) {
     });
 }
 
+/// A parameter: its name, its control, and a way back to the text's value.
 fn row(editor: &mut Editor, ui: &mut Ui, parameter: &Parameter, drafts: &mut BTreeMap<String, String>) {
     let is_changed = is_changed(&editor.session, parameter);
+    let now = drafts.get(&parameter.name).cloned().unwrap_or_else(|| value(&editor.session, parameter));
+    let (mut next, mut resets) = (None, false);
     ui.horizontal(|ui| {
-        let name = RichText::new(&parameter.name);
-        let label = ui.label(if is_changed { name.strong() } else { name });
-        if let Some(description) = &parameter.description {
-            label.on_hover_text(description);
-        }
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let name = format!("Reset {}", parameter.name);
-            if is_changed {
-                let button = ui.small_button("Reset").on_hover_text("Back to the value of the text");
-                button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
-                if button.clicked() {
-                    reset(&mut editor.session, &parameter.name);
-                    drafts.remove(&parameter.name);
-                }
-            }
+        name(ui, parameter, is_changed);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            resets = reset_button(ui, parameter, is_changed);
+            let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+            ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+                next = control::show(ui, parameter, &now);
+            });
         });
     });
     if let Some(description) = &parameter.description {
         ui.label(RichText::new(description).small().weak());
     }
-    let now = drafts.get(&parameter.name).cloned().unwrap_or_else(|| value(&editor.session, parameter));
-    if let Some(next) = control::show(ui, parameter, &now) {
-        match control::is_value(parameter, &next) {
-            true => {
-                drafts.remove(&parameter.name);
-                set(&mut editor.session, parameter, next);
-            }
-            false => {
-                drafts.insert(parameter.name.clone(), next);
-            }
+    ui.add_space(2.0);
+    match next {
+        _ if resets => {
+            reset(&mut editor.session, &parameter.name);
+            drafts.remove(&parameter.name);
         }
+        Some(next) if control::is_value(parameter, &next) => {
+            drafts.remove(&parameter.name);
+            set(&mut editor.session, parameter, next);
+        }
+        Some(next) => {
+            drafts.insert(parameter.name.clone(), next);
+        }
+        None => {}
     }
-    ui.add_space(4.0);
+}
+
+/// The name, in a column of its own.
+fn name(ui: &mut Ui, parameter: &Parameter, is_changed: bool) {
+    let text = RichText::new(&parameter.name);
+    let label = Label::new(if is_changed { text.strong() } else { text }).truncate();
+    let size = vec2(NAME * ui.available_width(), ui.spacing().interact_size.y);
+    let layout = Layout::left_to_right(Align::Center);
+    ui.allocate_ui_with_layout(size, layout, |ui| {
+        ui.set_min_width(size.x);
+        ui.add(label);
+    });
+}
+
+/// A button that is there when the value is not the text's. Its place is kept.
+fn reset_button(ui: &mut Ui, parameter: &Parameter, is_changed: bool) -> bool {
+    let button = Button::new(sign("↺")).small().frame(false);
+    let response = ui.add_visible(is_changed, button).on_hover_text("Back to the value of the text");
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, is_changed, format!("Reset {}", parameter.name)));
+    response.clicked()
 }
 
 /// Whether the scene in the picture has that number live.

@@ -1,26 +1,32 @@
 //! The scene as the code of a shader.
 //!
-//! Practice: the code is made off the window's thread, once for each revision; only lines in sight are laid out. A line belongs to
+//! Practice: the code is made off the window's thread, once for each revision and language; only lines in sight are laid out. A line belongs to
 //! what is selected if the selection is among the expressions around the one that the line stands for.
 
 mod highlight;
 
 use std::collections::{HashMap, HashSet};
 
-use chiaro_compiler::shader::{Listing, listing};
+use chiaro_compiler::export::{Language, listing};
+use chiaro_compiler::shader::Listing;
 use chiaro_compiler::syntax::Span;
-use chiaro_compiler::{SolidId, compile};
-use egui::{ScrollArea, Shape, TextStyle, Ui};
+use chiaro_compiler::{ModuleNames, SolidId, compile};
+use egui::{ComboBox, ScrollArea, Shape, TextStyle, Ui};
 
 use crate::app::Editor;
 use crate::dialogs::export::Export;
 use crate::studio::{BufferWorld, Program};
 use crate::worker::Job;
 
+/// The languages to choose from. (Those of GLSL differ in nothing that is shown.)
+const LANGUAGES: [(Language, &str); 4] =
+    [(Language::Wgsl, "WGSL"), (Language::Glsl330, "GLSL"), (Language::Hlsl, "HLSL"), (Language::Metal, "Metal")];
+
 /// The code of a revision.
-#[derive(Default)]
 pub(crate) struct ShaderText {
-    revision: Option<u64>,
+    /// The revision and the language that it is of.
+    of: Option<(u64, Language)>,
+    language: Language,
     making: Option<Job<Result<Listing, String>>>,
     text: String,
     /// Where its lines start.
@@ -47,13 +53,16 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
         return;
     }
     let mut saves = false;
-    ui.horizontal(|ui| {
-        ui.label(format!("WGSL, {} lines, {:.1} kB", shader.lines.len(), shader.text.len() as f64 / 1e3));
+    ui.horizontal_wrapped(|ui| {
+        language_choice(ui, &mut editor.panels.shader.language);
+        let shader = &editor.panels.shader;
         if ui.button("Copy").clicked() {
             ui.ctx().copy_text(shader.text.clone());
         }
         saves = ui.button("Save…").clicked();
+        ui.weak(format!("{} lines, {:.1} kB", shader.lines.len(), shader.text.len() as f64 / 1e3));
     });
+    let shader = &editor.panels.shader;
     let height = ui.text_style_height(&TextStyle::Monospace);
     ScrollArea::both().auto_shrink(false).show_rows(ui, height, shader.lines.len(), |ui, rows| {
         for row in rows {
@@ -67,8 +76,19 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
         }
     });
     if saves {
-        editor.dialogs.export = Some(Export::of_shader(editor));
+        let language = editor.panels.shader.language;
+        editor.dialogs.open_export(Export::of_shader(editor, language));
     }
+}
+
+fn language_choice(ui: &mut Ui, chosen: &mut Language) {
+    let name = |language| LANGUAGES.iter().find(|(own, _)| *own == language).map_or("", |(_, name)| name);
+    let combo = ComboBox::from_id_salt("language").selected_text(name(*chosen)).width(70.0).show_ui(ui, |ui| {
+        for (language, name) in LANGUAGES {
+            ui.selectable_value(chosen, language, name);
+        }
+    });
+    ui.ctx().accesskit_node_builder(combo.response.id, |node| node.set_label("Language"));
 }
 
 /// Makes the code of a new scene.
@@ -82,10 +102,11 @@ fn refresh(editor: &mut Editor, ui: &Ui) {
         }
     }
     let Some(shown) = &editor.session.shown else { return };
-    if shader.revision != Some(shown.revision) && shader.making.is_none() {
-        shader.revision = Some(shown.revision);
+    let (wanted, language) = (Some((shown.revision, shader.language)), shader.language);
+    if shader.of != wanted && shader.making.is_none() {
+        shader.of = wanted;
         let program = editor.session.program();
-        shader.making = Job::start(ui.ctx(), move |_| code(program)).ok();
+        shader.making = Job::start(ui.ctx(), move |_| code(program, language)).ok();
     }
 }
 
@@ -94,7 +115,7 @@ fn mark(editor: &mut Editor) {
     let shader = &mut editor.panels.shader;
     let selection = editor.viewport.selection.as_ref();
     let selected = selection.and_then(|selection| selection.origin()).map(|origin| origin.solid);
-    let Some(revision) = shader.revision.filter(|_| shader.making.is_none()) else { return };
+    let Some((revision, _)) = shader.of.filter(|_| shader.making.is_none()) else { return };
     if shader.marked_for == Some((revision, selected)) {
         return;
     }
@@ -117,10 +138,29 @@ fn mark(editor: &mut Editor) {
 }
 
 /// The code of a program as it stands, without numbers that are live only because they were edited.
-pub(crate) fn code(program: Program) -> Result<Listing, String> {
+fn code(program: Program, language: Language) -> Result<Listing, String> {
     let world = BufferWorld::new(program.buffers);
-    let scene = compile(&world, &program.main, &program.options).scene.ok_or("the scene has errors")?;
-    listing(&scene.graph).map_err(|error| error.message)
+    let compilation = compile(&world, &program.main, &program.options);
+    let scene = compilation.scene.ok_or("the scene has errors")?;
+    let names = ModuleNames::new(&compilation.sources);
+    let listing = listing(&scene.graph, &scene.parameters, &|span| names.of(span), language);
+    listing.map_err(|error| error.message)
+}
+
+impl Default for ShaderText {
+    fn default() -> Self {
+        Self {
+            of: None,
+            language: Language::Wgsl,
+            making: None,
+            text: String::new(),
+            lines: Vec::new(),
+            spans: Vec::new(),
+            marked: HashSet::new(),
+            marked_for: None,
+            trouble: None,
+        }
+    }
 }
 
 impl ShaderText {
@@ -140,6 +180,10 @@ impl ShaderText {
 impl ShaderText {
     pub(super) fn text(&self) -> &str {
         &self.text
+    }
+
+    pub(super) fn set_language(&mut self, language: Language) {
+        self.language = language;
     }
 
     /// The lines that are marked.

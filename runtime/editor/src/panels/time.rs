@@ -1,11 +1,14 @@
 //! Play, pause and scrub the time `$t`.
 
-use egui::{Button, DragValue, Slider, Ui};
+use egui::{Align, Button, DragValue, Layout, Slider, Ui};
 
 use crate::app::Editor;
 use crate::command::Command;
 use crate::darkroom::CLOCK;
 use crate::studio::LiveValue;
+
+/// The width of the time as a number, in points.
+const NUMBER: f32 = 64.0;
 
 /// Whether the scene moves, as far as its text tells.
 pub(crate) fn is_wanted(editor: &Editor) -> bool {
@@ -19,17 +22,26 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
         if ui.add(Button::new(name).min_size(egui::vec2(56.0, 0.0))).clicked() {
             editor.clock.toggle();
         }
-        let mut time = editor.clock.time;
-        ui.spacing_mut().slider_width = (ui.available_width() - 330.0).max(80.0);
-        if ui.add(Slider::new(&mut time, 0.0..=1.0).fixed_decimals(3).text(CLOCK)).changed() {
+        // From the right, so that the slider gets what is left.
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if ui.button("Record…").clicked() {
+                Command::Record.run(editor, ui.ctx());
+            }
+            let period = DragValue::new(&mut editor.clock.period).range(0.1..=600.0).speed(0.1).suffix(" s");
+            ui.add(period).on_hover_text("How long $t takes from 0 to 1");
+            slider(editor, ui);
+        });
+    });
+}
+
+fn slider(editor: &mut Editor, ui: &mut Ui) {
+    let mut time = editor.clock.time;
+    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+        let label = ui.label(CLOCK);
+        ui.spacing_mut().slider_width = (ui.available_width() - NUMBER).max(60.0);
+        if ui.add(Slider::new(&mut time, 0.0..=1.0).fixed_decimals(3)).labelled_by(label.id).changed() {
             editor.clock.set(time);
             show_time(editor);
-        }
-        let label = ui.label("Round");
-        ui.add(DragValue::new(&mut editor.clock.period).range(0.1..=600.0).speed(0.1).suffix(" s"))
-            .labelled_by(label.id);
-        if ui.button("Record…").clicked() {
-            Command::Record.run(editor, ui.ctx());
         }
     });
 }

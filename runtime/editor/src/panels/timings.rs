@@ -107,7 +107,7 @@ fn stages(ui: &mut Ui, timings: &Timings) {
 
 fn row(ui: &mut Ui, name: &str, value: &str) {
     ui.label(name);
-    ui.monospace(value);
+    ui.add(egui::Label::new(egui::RichText::new(value).monospace()).truncate()).on_hover_text(value);
     ui.end_row();
 }
 

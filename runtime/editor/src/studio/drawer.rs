@@ -22,20 +22,29 @@ const SHOWN_EVERY: Duration = Duration::from_millis(200);
 /// Draws until the window is closed.
 pub(crate) fn work(shared: &Shared) {
     let mut easel = Easel::default();
+    // The revision that lost the device last: what does it twice would do it for ever.
+    let mut lost_by = None;
     while !shared.orders.is_closed() {
         let order = if easel.is_busy() { shared.orders.try_take() } else { shared.orders.take() };
         if let Some(order) = order {
             easel.accept(order);
         }
-        match guarded(|| easel.work(&|| shared.orders.is_empty())) {
+        let drawn = guarded(|| {
+            #[cfg(test)]
+            shared.sabotage.work()?;
+            easel.work(&|| shared.orders.is_empty())
+        });
+        match drawn {
             Ok(Ok(None)) => {}
             Ok(Ok(Some(frame))) => shared.say(Event::Frame(Box::new(frame))),
             Ok(Err(error)) => {
                 let is_lost = matches!(error, Error::Lost(_) | Error::Stuck(_));
+                let revision = easel.subject.as_ref().map(|subject| subject.revision);
                 easel.give_up();
                 shared.say(Event::Trouble(error.to_string()));
                 if is_lost {
-                    shared.reopen();
+                    shared.reopen(lost_by != revision);
+                    lost_by = revision;
                 }
             }
             Err(message) => {

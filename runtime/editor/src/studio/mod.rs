@@ -5,6 +5,8 @@
 
 mod compiler;
 mod drawer;
+#[cfg(test)]
+pub(crate) mod sabotage;
 mod slot;
 mod timings;
 mod wanted;
@@ -133,6 +135,8 @@ pub(crate) struct Shared {
     sender: Sender<Event>,
     /// Makes the window look at the events.
     wake: Box<dyn Fn() + Send + Sync>,
+    #[cfg(test)]
+    pub(crate) sabotage: sabotage::Sabotage,
 }
 
 impl Studio {
@@ -147,6 +151,8 @@ impl Studio {
             device_lost: AtomicBool::new(false),
             sender,
             wake: Box::new(wake),
+            #[cfg(test)]
+            sabotage: sabotage::Sabotage::default(),
         });
         let (compiling, drawing) = (shared.clone(), shared.clone());
         let builder = |name: &str| std::thread::Builder::new().name(name.to_owned());
@@ -168,6 +174,12 @@ impl Studio {
     /// Draws this from now on.
     pub(crate) fn show(&self, wanted: Wanted) {
         self.shared.orders.update(|order| order.get_or_insert_default().wanted = Some(wanted));
+    }
+
+    /// What goes wrong in tests.
+    #[cfg(test)]
+    pub(crate) fn sabotage(&self) -> &sabotage::Sabotage {
+        &self.shared.sabotage
     }
 
     /// What happened since the last call.
@@ -199,9 +211,9 @@ impl Shared {
         lock(&self.cancelled).store(true, Ordering::Relaxed);
     }
 
-    /// Opens the device anew, and everything on it.
-    fn reopen(&self) {
-        if self.device_lost.swap(true, Ordering::SeqCst) {
+    /// Opens the device anew for what comes, and for the last program if that may try again.
+    fn reopen(&self, tries_again: bool) {
+        if self.device_lost.swap(true, Ordering::SeqCst) || !tries_again {
             return;
         }
         let last = lock(&self.last_program).clone();

@@ -65,11 +65,50 @@ fn texts_are_saved_and_shaders_exported() {
     person.until_linked();
     person.presses(Modifiers::COMMAND, Key::E);
     person.sees("export");
-    person.harness.get_by_role_and_label(egui::Role::Button, "Export").click();
+    let exports = |person: &mut Person| {
+        person.harness.get_by_role_and_label(egui::Role::Button, "Export").click();
+        person.frames(3);
+    };
+    exports(&mut person);
+    let mesh = person.file("main.stl");
+    person.until("exported", |_| mesh.exists());
+    let triangles = fs::metadata(&mesh).unwrap().len() - 84;
+    assert!(triangles > 0 && triangles % 50 == 0, "{triangles}");
+    // What is there is not written over without a word.
+    fs::write(&mesh, "somebody's work").unwrap();
     person.frames(3);
-    let shader = person.file("main.wgsl");
+    exports(&mut person);
+    person.harness.get_by_label_contains("Replace main.stl?").rect();
+    person.clicks_on("Cancel");
+    assert_eq!(fs::read(&mesh).unwrap(), b"somebody's work");
+    exports(&mut person);
+    person.clicks_on("Replace");
+    person.until("exported", |_| fs::metadata(&mesh).unwrap().len() > 84);
+    person.harness.get_by_label("Format").click();
+    person.frames(3);
+    person.clicks_on("GLSL 330 functions");
+    exports(&mut person);
+    let shader = person.file("main.glsl");
     person.until("exported", |_| shader.exists());
-    assert!(fs::read_to_string(&shader).unwrap().contains("fn scene_distance"));
+    assert!(fs::read_to_string(&shader).unwrap().contains("float scene_distance(vec3 p)"));
+}
+
+#[test]
+fn other_files_are_not_overwritten_without_asking() {
+    let mut person = Person::with_files(&[("main.csg", "cube(4);\n"), ("other.csg", "cube(9);\n")]);
+    let (id, other) = (person.editor().session.active().id, person.file("other.csg"));
+    // The ending is added: what is written over need not be what was typed.
+    let chosen = person.file("other");
+    for (answer, then) in [("Cancel", "cube(9);\n"), ("Replace", "cube(4);\n")] {
+        person.editor_mut().dialogs.files.save_in_window(id, &chosen);
+        person.frames(3);
+        person.presses(Modifiers::NONE, Key::Enter);
+        person.frames(3);
+        assert_eq!(fs::read_to_string(&other).unwrap(), "cube(9);\n");
+        person.clicks_on(answer);
+        assert_eq!(fs::read_to_string(&other).unwrap(), then);
+    }
+    assert_eq!(person.editor().session.active().path, Some(other));
 }
 
 #[test]
@@ -151,4 +190,33 @@ fn what_a_crash_leaves_is_found_again() {
     person.frames(3);
     assert_eq!(person.text(), "sphere(3);\n");
     assert!(person.editor().session.active().is_modified());
+}
+
+#[test]
+fn a_text_with_errors_is_not_shown_as_the_scene_before() {
+    let mut person = Person::with_files(&[("main.csg", "cube(4);\n"), ("broken.csg", "sphree(9);\n")]);
+    person.until_drawn();
+    let broken = person.file("broken.csg");
+    person.editor_mut().open(&broken);
+    person.until("compiled", |editor| editor.session.is_compiled());
+    person.frames(2);
+    assert!(person.editor().session.shown.is_none(), "that is the scene of another text");
+    person.sees("broken");
+    person.goes_to("sphree");
+    person.types("sphere(2); //");
+    person.until("drawn", |editor| editor.session.shown.is_some() && reach(editor) == 2.0);
+}
+
+#[test]
+fn the_tab_of_what_is_opened_is_in_sight() {
+    let names: Vec<String> = (0..12).map(|index| format!("a_scene_with_a_name_{index}.csg")).collect();
+    let files: Vec<(&str, &str)> = names.iter().map(|name| (name.as_str(), "cube(1);\n")).collect();
+    let mut person = Person::with_files(&files);
+    for name in &names {
+        let file = person.file(name);
+        person.editor_mut().open(&file);
+        person.frames(12);
+        let tab = person.harness.get_by_label(name).rect();
+        assert!(tab.left() >= 0.0 && tab.right() < 600.0, "{name} is at {tab:?}");
+    }
 }

@@ -1,9 +1,13 @@
 //! Looking and pointing.
 
+use chiaro_render::Inspection;
 use egui::{Key, Modifiers, Pos2, vec2};
+use egui_kittest::kittest::Queryable;
 
 use super::person::Person;
-use crate::studio::Eye;
+use crate::app::Editor;
+use crate::studio::sabotage::Mishap;
+use crate::studio::{Eye, Look};
 
 const SCENE: &str = "translate([-12, 0, 0]) cube(12, center = true);\ntranslate([12, 0, 0]) sphere(8);\n";
 
@@ -20,7 +24,7 @@ fn a_click_on_a_surface_goes_to_its_expression() {
     person.clicks(at, Modifiers::NONE);
     let caret = person.editor().session.active().caret;
     assert!(person.text()[caret..].starts_with("sphere(8)"), "{caret}");
-    let outlined = |editor: &crate::app::Editor| editor.viewport.is_outlined();
+    let outlined = |editor: &Editor| editor.viewport.is_outlined();
     person.until("outlined", outlined);
     person.until_drawn();
     person.sees("selection");
@@ -63,4 +67,69 @@ fn dragging_turns_the_scene() {
     person.presses(Modifiers::NONE, Key::F6);
     person.until_drawn();
     assert!(matches!(person.editor().viewport.eye, Eye::Framed(..)));
+}
+
+#[test]
+fn a_screenshot_shows_what_the_window_does() {
+    let mut person = Person::with(SCENE);
+    person.until_drawn();
+    person.editor_mut().viewport.look = Look::Inspected(Inspection::Normals);
+    person.until_drawn();
+    person.presses(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
+    person.frames(2);
+    person.harness.get_by_role_and_label(egui::Role::Button, "Export").click();
+    person.frames(3);
+    let file = person.file("main.png");
+    person.until("exported", |_| file.exists());
+    let picture = image::open(&file).unwrap().to_rgb8();
+    // The floor and the sky are bright, and have no normals.
+    let corner = picture.get_pixel(2, 2).0;
+    assert!(corner.iter().all(|channel| *channel < 60), "{corner:?}");
+    let colors: std::collections::HashSet<_> = picture.pixels().map(|pixel| pixel.0).collect();
+    assert!(colors.len() > 100, "a ball has many normals, and the picture {} colours", colors.len());
+}
+
+#[test]
+fn a_lost_device_comes_back() {
+    let mut person = Person::with(SCENE);
+    person.until_drawn();
+    person.editor().session.sabotage().plan(&[Mishap::Loss]);
+    person.editor_mut().viewport.exposure = 1.0;
+    person.until("lost", |editor| editor.session.trouble.as_ref().is_some_and(|trouble| trouble.contains("unplugged")));
+    person.until("back", |editor| editor.session.trouble.is_none());
+    person.until_drawn();
+    assert!(person.editor().viewport.drawn.is_some());
+}
+
+#[test]
+fn a_scene_that_loses_the_device_again_and_again_is_given_up_until_it_is_edited() {
+    let mut person = Person::with(SCENE);
+    person.until_drawn();
+    person.editor().session.sabotage().plan(&[Mishap::Loss; 2]);
+    person.editor_mut().viewport.exposure = 1.0;
+    let is_lost = |editor: &Editor| editor.session.trouble.is_some();
+    person.until("lost", is_lost);
+    person.until("tried again", |editor| editor.session.trouble.is_none());
+    person.until("lost again", is_lost);
+    for _ in 0..20 {
+        std::thread::sleep(std::time::Duration::from_millis(50));
+        person.frames(1);
+        assert!(is_lost(person.editor()), "it was tried a third time");
+    }
+    person.goes_to("cube");
+    person.types("sphere(1);");
+    person.until("drawn after an edit", |editor| editor.session.trouble.is_none() && !editor.session.is_outdated());
+}
+
+#[test]
+fn a_mistake_in_the_drawing_thread_is_a_message() {
+    let mut person = Person::with(SCENE);
+    person.until_drawn();
+    person.editor().session.sabotage().plan(&[Mishap::Panic]);
+    person.editor_mut().viewport.exposure = 1.0;
+    let says = |editor: &Editor| editor.session.trouble.as_ref().is_some_and(|said| said.contains("mistake in Chiaro"));
+    person.until("said", says);
+    person.goes_to("cube");
+    person.types("sphere(1);");
+    person.until("drawn after an edit", |editor| editor.session.trouble.is_none() && !editor.session.is_outdated());
 }

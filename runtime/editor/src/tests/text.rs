@@ -1,6 +1,6 @@
 //! Writing.
 
-use egui::{Key, Modifiers, vec2};
+use egui::{Event, Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::Queryable;
 
 use super::person::Person;
@@ -80,13 +80,42 @@ fn numbers_are_dragged_and_the_drag_is_undone_at_once() {
 }
 
 #[test]
+fn a_number_is_dragged_even_if_all_of_it_is_seen_in_one_frame() {
+    let mut person = Person::with("sphere(20);\ncube(3);\n");
+    let at = person.place(person.text().find("20").unwrap() + 1);
+    let modifiers = Modifiers::COMMAND;
+    let button = |pos, pressed| Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers };
+    person.harness.event(Event::ModifiersChanged(modifiers));
+    person.frames(1);
+    for event in [Event::PointerMoved(at), button(at, true), Event::PointerMoved(at + vec2(40.0, 0.0))] {
+        person.harness.event(event);
+    }
+    person.frames(1);
+    assert_eq!(person.text(), "sphere(30);\ncube(3);\n");
+    for event in [Event::PointerMoved(at + vec2(-8.0, 30.0)), button(at + vec2(-8.0, 30.0), false)] {
+        person.harness.event(event);
+    }
+    person.harness.event(Event::ModifiersChanged(Modifiers::NONE));
+    person.frames(3);
+    assert_eq!(person.text(), "sphere(18);\ncube(3);\n");
+    let document = person.editor().session.active();
+    assert_eq!((document.anchor, document.caret), (9, 9), "the drag selected something");
+}
+
+#[test]
 fn words_are_found_and_replaced() {
     let mut person = Person::with("a = 1;\nab = a;\ncube(a + ab);\n");
     person.goes_to("a = 1");
     person.presses(Modifiers::COMMAND, Key::H);
     person.types("a");
     person.clicks_on("word");
-    person.harness.get_by_label("– of 3").rect();
+    // The first place is shown at once.
+    person.harness.get_by_label("1 of 3").rect();
+    // Ctrl+H removes a letter in plain text fields, and asks for replacing here.
+    person.harness.get_by_role_and_label(egui::Role::TextInput, "Find").focus();
+    person.frames(1);
+    person.presses(Modifiers::COMMAND, Key::H);
+    person.harness.get_by_label("1 of 3").rect();
     person.harness.get_by_label("Replace by").rect();
     person.harness.get_by_role_and_label(egui::Role::TextInput, "Replace by").focus();
     person.frames(1);

@@ -167,11 +167,17 @@ impl Editor {
     }
 }
 
-/// Where the letter at a place of one text is in another that differs in white space only.
+/// Where a place of one text is in another that differs in white space only: before the same letter, or behind it at the end of
+/// a line.
 fn same_letter(before: &str, at: usize, after: &str) -> usize {
     let count = before[..at].chars().filter(|letter| !letter.is_whitespace()).count();
+    let behind = &before[at..];
+    let is_last = behind[..behind.len() - behind.trim_start().len()].contains('\n');
     let mut letters = after.char_indices().filter(|(_, letter)| !letter.is_whitespace());
-    letters.nth(count).map_or(after.len(), |(at, _)| at)
+    match count.checked_sub(1).filter(|_| is_last) {
+        Some(last) => letters.nth(last).map_or(after.len(), |(at, letter)| at + letter.len_utf8()),
+        None => letters.nth(count).map_or(after.len(), |(at, _)| at),
+    }
 }
 
 #[cfg(test)]
@@ -183,5 +189,7 @@ mod tests {
         assert_eq!(same_letter("cube( 1 ) ;", 6, "cube(1);"), 5);
         assert_eq!(same_letter("a=1;", 2, "a = 1;"), 4);
         assert_eq!(same_letter("a;  ", 4, "a;\n"), 3);
+        assert_eq!(same_letter("a ;\nb;", 3, "a;\nb;\n"), 2);
+        assert_eq!(same_letter("a ;\n\nb;", 4, "a;\n\nb;\n"), 2);
     }
 }

@@ -7,7 +7,10 @@ use egui::{Button, Key, Modifiers, TextEdit, Ui};
 
 use super::edits::Change;
 use crate::app::Editor;
+use crate::theme::sign;
 
+/// The width of the fields, in points.
+const FIELD: f32 = 150.0;
 /// The most places that are looked for.
 const MOST_HITS: usize = 20_000;
 
@@ -20,6 +23,8 @@ pub(crate) struct Find {
     /// What the hits were found for: the query and the text's version.
     of: Option<(Query, u64)>,
     hits: Vec<Range<usize>>,
+    /// Where the search began: while the query is written, the first place from here on is shown.
+    from: usize,
     /// The field for what is looked for has to get the keyboard.
     wants_focus: bool,
 }
@@ -69,10 +74,11 @@ impl Query {
 /// Opens the bar. What is selected on one line is looked for.
 pub(super) fn open(editor: &mut Editor, replaces: bool) {
     let selected = editor.selected();
-    let word = selected.text[selected.range()].to_owned();
+    let (word, from) = (selected.text[selected.range()].to_owned(), selected.range().start);
     let find = editor.text.find.get_or_insert_default();
     find.replaces |= replaces;
     find.wants_focus = true;
+    find.from = from;
     if !word.is_empty() && !word.contains('\n') {
         find.query.text = word;
     }
@@ -102,9 +108,20 @@ pub(super) fn go(editor: &mut Editor, forward: bool) {
     }
 }
 
+/// Shows the first place from where the search began, while what is looked for is being written.
+fn go_first(editor: &mut Editor) {
+    look_again(editor);
+    let Some(find) = &editor.text.find else { return };
+    if let Some(hit) = find.hits.iter().find(|hit| hit.start >= find.from).or(find.hits.first()).cloned() {
+        editor.session.active_mut().select(hit.start, hit.end);
+        editor.text.shows_caret = true;
+    }
+}
+
 /// What was asked of the bar.
 #[derive(Clone, Copy, PartialEq)]
 enum Asked {
+    First,
     Next,
     Previous,
     Replace,
@@ -119,11 +136,15 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let Some(find) = &mut panel.find else { return };
     find.update(&session.active().text, panel.layout.version());
     let mut asked = None;
-    ui.horizontal_wrapped(|ui| asked = searching(ui, find, &caret));
-    if find.replaces {
-        ui.horizontal_wrapped(|ui| asked = replacing(ui, find).or(asked));
-    }
+    egui::Grid::new("find").num_columns(2).spacing(ui.spacing().item_spacing).show(ui, |ui| {
+        asked = searching(ui, find, &caret);
+        ui.end_row();
+        if find.replaces {
+            asked = replacing(ui, find).or(asked);
+        }
+    });
     match asked {
+        Some(Asked::First) => go_first(editor),
         Some(Asked::Next) => go(editor, true),
         Some(Asked::Previous) => go(editor, false),
         Some(Asked::Replace) => replace(editor),
@@ -136,50 +157,78 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     }
 }
 
+/// The row of what is looked for.
 fn searching(ui: &mut Ui, find: &mut Find, caret: &Range<usize>) -> Option<Asked> {
     let mut asked = None;
     let label = ui.label("Find");
-    let field = ui.add(TextEdit::singleline(&mut find.query.text).desired_width(150.0)).labelled_by(label.id);
-    if std::mem::take(&mut find.wants_focus) {
-        field.request_focus();
-    }
-    if field.has_focus() || field.lost_focus() {
-        let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
-        if pressed(Modifiers::SHIFT, Key::Enter) {
-            asked = Some(Asked::Previous);
-        } else if pressed(Modifiers::NONE, Key::Enter) {
-            asked = Some(Asked::Next);
-        } else if pressed(Modifiers::NONE, Key::Escape) {
-            asked = Some(Asked::Close);
+    ui.horizontal(|ui| {
+        let field = ui.add(TextEdit::singleline(&mut find.query.text).desired_width(FIELD)).labelled_by(label.id);
+        if std::mem::take(&mut find.wants_focus) {
+            field.request_focus();
         }
-        find.wants_focus = asked.is_some_and(|asked| asked != Asked::Close);
-    }
-    ui.toggle_value(&mut find.query.with_case, "Aa").on_hover_text("Tell capitals apart");
-    ui.toggle_value(&mut find.query.whole_words, "word").on_hover_text("Whole words only");
-    let chosen = find.hits.iter().position(|hit| hit == caret).map_or("–".to_owned(), |at| (at + 1).to_string());
-    ui.weak(format!("{chosen} of {}", find.hits.len()));
-    let is_found = !find.hits.is_empty();
-    if ui.add_enabled(is_found, Button::new("Previous")).clicked() {
-        asked = Some(Asked::Previous);
-    }
-    if ui.add_enabled(is_found, Button::new("Next")).clicked() {
-        asked = Some(Asked::Next);
-    }
-    ui.toggle_value(&mut find.replaces, "Replace…");
-    if ui.button("Close").clicked() {
-        asked = Some(Asked::Close);
-    }
+        asked = asked_by_key(ui, &field);
+        find.wants_focus = matches!(asked, Some(Asked::Next | Asked::Previous));
+        let before = find.query.clone();
+        toggle(ui, &mut find.query.with_case, "Aa", "Tell capitals apart");
+        toggle(ui, &mut find.query.whole_words, "word", "Whole words only");
+        if field.changed() || before != find.query {
+            asked = Some(Asked::First);
+        }
+        let is_found = !find.hits.is_empty();
+        for (name, what, step) in [("↑", "Previous", Asked::Previous), ("↓", "Next", Asked::Next)] {
+            if named(ui.add_enabled(is_found, Button::new(sign(name))), what).clicked() {
+                asked = Some(step);
+            }
+        }
+        let chosen = find.hits.iter().position(|hit| hit == caret).map_or("–".to_owned(), |at| (at + 1).to_string());
+        ui.weak(format!("{chosen} of {}", find.hits.len()));
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if named(ui.button(sign("×")), "Close").clicked() {
+                asked = Some(Asked::Close);
+            }
+        });
+    });
     asked
 }
 
+/// What a key asks for that is pressed in the field.
+fn asked_by_key(ui: &Ui, field: &egui::Response) -> Option<Asked> {
+    if !field.has_focus() && !field.lost_focus() {
+        return None;
+    }
+    let keys = [
+        (Modifiers::SHIFT, Key::Enter, Asked::Previous),
+        (Modifiers::NONE, Key::Enter, Asked::Next),
+        (Modifiers::NONE, Key::Escape, Asked::Close),
+    ];
+    let is_pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
+    keys.into_iter().find(|(modifiers, key, _)| is_pressed(*modifiers, *key)).map(|(.., asked)| asked)
+}
+
+/// The row of what it is replaced by.
 fn replacing(ui: &mut Ui, find: &mut Find) -> Option<Asked> {
     let label = ui.label("Replace by");
-    ui.add(TextEdit::singleline(&mut find.replacement).desired_width(150.0)).labelled_by(label.id);
-    let is_found = !find.hits.is_empty();
-    if ui.add_enabled(is_found, Button::new("Replace")).clicked() {
-        return Some(Asked::Replace);
+    let row = ui.horizontal(|ui| {
+        ui.add(TextEdit::singleline(&mut find.replacement).desired_width(FIELD)).labelled_by(label.id);
+        let is_found = !find.hits.is_empty();
+        let one = ui.add_enabled(is_found, Button::new("Replace")).clicked().then_some(Asked::Replace);
+        let all = ui.add_enabled(is_found, Button::new("Replace all")).clicked().then_some(Asked::ReplaceAll);
+        one.or(all)
+    });
+    row.inner
+}
+
+/// A button that stays pressed.
+fn toggle(ui: &mut Ui, is_on: &mut bool, name: &str, what: &str) {
+    if ui.add(Button::new(name).selected(*is_on)).on_hover_text(what).clicked() {
+        *is_on = !*is_on;
     }
-    ui.add_enabled(is_found, Button::new("Replace all")).clicked().then_some(Asked::ReplaceAll)
+}
+
+/// Says what a button does whose face is a sign.
+fn named(button: egui::Response, what: &str) -> egui::Response {
+    button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, what));
+    button.on_hover_text(what)
 }
 
 /// Replaces the hit that is selected, and goes to the next.

@@ -95,7 +95,9 @@ fn forget(editor: &mut Editor, ui: &Ui) {
         told.version = version;
         return;
     }
-    let pointer = ui.input(|input| input.pointer.hover_pos());
+    // Who uses the keyboard looks elsewhere.
+    let has_typed = ui.input(|input| !input.keys_down.is_empty());
+    let pointer = ui.input(|input| input.pointer.hover_pos()).filter(|_| !has_typed);
     let stays =
         pointer.is_some_and(|at| told.place.expand(STRAY).contains(at) || told.window.expand(STRAY).contains(at));
     if !stays || told.version != version {

@@ -45,9 +45,12 @@ pub(crate) struct TextPanel {
     line: Option<String>,
     /// Where one went away from, the newest last.
     visited: Vec<navigate::Visited>,
+    /// A number that is being changed, by the pointer in the text or by its hover's button.
     drag: Option<numbers::Drag>,
     /// What was asked for from elsewhere, and when in the window's time.
     flash: Option<(Range<usize>, f64)>,
+    /// The text whose tab was scrolled into sight.
+    shown_tab: Option<DocumentId>,
     /// The selection that the page knows.
     known: Option<(DocumentId, [usize; 2])>,
     /// Keys that wait for the text field.
@@ -60,11 +63,13 @@ pub(crate) struct TextPanel {
 /// Shows the open texts.
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.y = 2.0;
+    // Before any field sees them: some keys that mean something to us remove a letter there.
+    let was_typed = page::take_keys(editor, ui);
     tabs::show(editor, ui);
     conflict(editor, ui);
     find::show(editor, ui);
     navigate::show(editor, ui);
-    page::show(editor, ui);
+    page::show(editor, ui, was_typed);
 }
 
 /// Asks which text counts, if a file changed while its text had changes of its own.

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use chiaro_assist::{Edit, NumberLiteral, apply, numbers, scrub};
 use egui::text_edit::TextEditOutput;
-use egui::{CursorIcon, Rect, Sense, Ui};
+use egui::{CursorIcon, Pos2, Ui};
 
 use crate::app::Editor;
 
@@ -25,12 +25,14 @@ pub(crate) struct Drag {
     before: String,
     now: String,
     steps: f32,
+    /// Where the pointer was last, along x, if it drags the number itself.
+    by_pointer: Option<f32>,
 }
 
 impl Drag {
     pub(super) fn new(text: &str, number: &NumberLiteral) -> Self {
         let literal = text[number.range.clone()].to_owned();
-        Self { start: number.range.start, now: literal.clone(), before: literal, steps: 0.0 }
+        Self { start: number.range.start, now: literal.clone(), before: literal, steps: 0.0, by_pointer: None }
     }
 
     pub(super) fn range(&self) -> Range<usize> {
@@ -44,37 +46,47 @@ pub(super) fn at(text: &str, at: usize) -> Option<NumberLiteral> {
 }
 
 /// Lets the number under the pointer be dragged while Ctrl or Alt is held. (Some systems move windows with Alt.)
+///
+/// What counts is where the button was pressed: where the window is slow, the pointer is elsewhere when that is seen.
 pub(super) fn drag(editor: &mut Editor, ui: &Ui, output: &TextEditOutput) {
-    let origin = output.galley_pos;
+    if let Some(drag) = editor.text.drag.as_ref().filter(|drag| drag.by_pointer.is_some()) {
+        ui.ctx().set_cursor_icon(CursorIcon::ResizeHorizontal);
+        return follow(editor, ui, drag.by_pointer);
+    }
     let is_held = ui.input(|input| input.modifiers.alt || input.modifiers.command);
-    let pointer = ui.input(|input| input.pointer.hover_pos());
-    let document = editor.session.active();
-    let under = pointer.filter(|at| is_held && output.response.rect.contains(*at) && ui.clip_rect().contains(*at));
-    let under = under.and_then(|pointer| editor.text.layout.byte_at(pointer - origin));
-    let number = under.and_then(|byte| at(&document.text, byte));
-    if editor.text.drag.is_none() && number.is_none() {
+    if !is_held {
         return;
     }
-    let range = match (&editor.text.drag, &number) {
-        (Some(drag), _) => drag.range(),
-        (None, Some(number)) => number.range.clone(),
-        (None, None) => return,
+    let under = |pointer: Option<Pos2>, editor: &Editor| {
+        let byte = editor.text.layout.byte_at(pointer? - output.galley_pos)?;
+        at(&editor.session.active().text, byte)
     };
-    let rects = editor.text.layout.rects(&range, f32::NEG_INFINITY, f32::INFINITY);
-    let rect = rects.into_iter().reduce(Rect::union).unwrap_or(Rect::NOTHING).translate(origin.to_vec2());
-    let handle = ui.interact(rect, output.response.id.with("number"), Sense::drag());
-    ui.ctx().set_cursor_icon(CursorIcon::ResizeHorizontal);
-    if handle.drag_started()
-        && let Some(number) = &number
-    {
-        begin(editor, number);
+    let (pointer, origin) = ui.input(|input| (input.pointer.hover_pos(), input.pointer.press_origin()));
+    if ui.rect_contains_pointer(output.response.rect) && under(pointer, editor).is_some() {
+        ui.ctx().set_cursor_icon(CursorIcon::ResizeHorizontal);
     }
-    if handle.dragged() {
+    let is_pressed = ui.input(|input| input.pointer.primary_pressed()) && output.response.is_pointer_button_down_on();
+    if is_pressed && let Some(number) = under(origin, editor) {
+        begin(editor, &number);
+        let x = origin.map(|origin| origin.x);
+        if let Some(drag) = &mut editor.text.drag {
+            drag.by_pointer = x;
+        }
+        follow(editor, ui, x);
+    }
+}
+
+/// Changes the number by how far the pointer went since it was at `before`, and ends when the button is released.
+fn follow(editor: &mut Editor, ui: &Ui, before: Option<f32>) {
+    let now = ui.input(|input| input.pointer.latest_pos()).map(|pointer| pointer.x);
+    if let (Some(before), Some(now)) = (before, now) {
         let fine = ui.input(|input| input.modifiers.shift);
-        let steps = handle.drag_delta().x / POINTS_A_STEP * if fine { FINE } else { 1.0 };
-        step(editor, steps);
+        step(editor, (now - before) / POINTS_A_STEP * if fine { FINE } else { 1.0 });
     }
-    if handle.drag_stopped() {
+    if let Some(drag) = &mut editor.text.drag {
+        drag.by_pointer = now.or(before);
+    }
+    if !ui.input(|input| input.pointer.primary_down()) {
         end(editor);
     }
 }
@@ -106,5 +118,7 @@ pub(super) fn step(editor: &mut Editor, steps: f32) {
 /// Ends the drag: what comes is undone separately.
 pub(super) fn end(editor: &mut Editor) {
     editor.text.drag = None;
+    // The text field took the drag for a selection: it is told the caret anew.
+    editor.text.known = None;
     editor.session.active_mut().history.pause();
 }

@@ -15,10 +15,9 @@ use crate::app::Editor;
 /// Around the caret, so much is kept in sight, in points.
 const MARGIN: f32 = 40.0;
 
-/// Shows the page.
-pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
-    let id = Id::unique(("page", editor.session.active().id));
-    let was_typed = take_keys(editor, ui, id);
+/// Shows the page. Completions are offered for what was typed.
+pub(super) fn show(editor: &mut Editor, ui: &mut Ui, was_typed: bool) {
+    let id = field_id(editor);
     let font = TextStyle::Monospace.resolve(ui.style());
     editor.text.layout.update(ui, &editor.session.active().text, &font);
     messages::update(editor);
@@ -45,11 +44,17 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.advance_cursor_after_rect(whole);
 }
 
+/// The text field of the open text.
+fn field_id(editor: &Editor) -> Id {
+    Id::unique(("page", editor.session.active().id))
+}
+
 /// Does what the keys ask for. True if something was typed.
-fn take_keys(editor: &mut Editor, ui: &Ui, id: Id) -> bool {
+pub(super) fn take_keys(editor: &mut Editor, ui: &Ui) -> bool {
     if editor.dialogs.is_blocking() {
         return false;
     }
+    let id = field_id(editor);
     let focus = match ui.memory(egui::Memory::focused) {
         Some(focused) if focused == id => Focus::Text,
         Some(_) if ui.ctx().text_edit_focused() => Focus::Field,
@@ -109,7 +114,9 @@ fn written(editor: &mut Editor, ui: &mut Ui, id: Id, font: &FontId) -> Written {
     }
     let (anchor, caret) = (document.anchor, document.caret);
     let edited = *before != document.text;
-    if let Some(range) = output.cursor_range.filter(|_| response.has_focus()) {
+    // The pointer that drags a number selects nothing.
+    let selects = response.has_focus() && panel.drag.is_none();
+    if let Some(range) = output.cursor_range.filter(|_| selects) {
         let bytes = [panel.layout.byte(range.secondary), panel.layout.byte(range.primary)];
         document.select(bytes[0], bytes[1]);
     }

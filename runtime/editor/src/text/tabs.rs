@@ -26,6 +26,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
             }
         });
     });
+    editor.text.shown_tab = Some(editor.session.active().id);
     match asked {
         Some((index, Asked::Show)) => {
             editor.session.activate(index);
@@ -48,6 +49,9 @@ fn tab(editor: &Editor, ui: &mut Ui, index: usize, is_active: bool, drawn: Docum
     let path = document.path.as_ref().map_or("not saved yet".to_owned(), |path| path.display().to_string());
     let note = if is_drawn { "\nThis is the scene in the picture." } else { "" };
     let response = response.on_hover_text(format!("{path}{note}"));
+    if is_active && editor.text.shown_tab != Some(id) {
+        response.scroll_to_me(None);
+    }
     if response.clicked() {
         asked = Some(Asked::Show);
     }

@@ -19,6 +19,7 @@ use egui::{Align2, Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptio
 
 use crate::app::Editor;
 use crate::document::DocumentId;
+use crate::status;
 use crate::studio::{Eye, Frame, Look, Outlined, Timings, Wanted};
 
 /// The largest picture, in pixels: more would only be slow.
@@ -207,19 +208,27 @@ fn want(editor: &mut Editor, ui: &Ui, size: Vec2) {
 fn paint(editor: &Editor, ui: &Ui, rect: Rect) {
     let (viewport, painter) = (&editor.viewport, ui.painter_at(rect));
     painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
-    match &viewport.texture {
+    // A scene with errors that never showed has no picture, whatever was drawn before.
+    let has_picture = editor.session.shown.is_some() || !editor.session.has_errors();
+    match viewport.texture.as_ref().filter(|_| has_picture) {
         Some(texture) => {
             painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
         }
         None => {
             let why = match &editor.session.trouble {
-                Some(trouble) => trouble.as_str(),
-                None if editor.session.has_errors() => "There is nothing to draw before the errors are mended",
-                None => "drawing…",
+                Some(trouble) => trouble.clone(),
+                None if editor.session.has_errors() => {
+                    "There is nothing to draw before the errors are mended.".to_owned()
+                }
+                None => status::under_way(editor, ui).unwrap_or_else(|| "drawing…".to_owned()),
             };
             let font = egui::TextStyle::Body.resolve(ui.style());
-            painter.text(rect.center(), Align2::CENTER_CENTER, why, font, ui.visuals().weak_text_color());
+            let galley = painter.layout(why, font, ui.visuals().weak_text_color(), (rect.width() - 48.0).max(0.0));
+            painter.galley(Align2::CENTER_CENTER.anchor_size(rect.center(), galley.size()).min, galley, Color32::WHITE);
         }
+    }
+    if !has_picture {
+        return;
     }
     if let (Some(other), Some((_, part))) = (&viewport.other, viewport.compared) {
         wipe::paint(editor, &painter, rect, other, part);

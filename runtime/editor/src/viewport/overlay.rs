@@ -7,6 +7,10 @@ use egui::{Align2, Area, ComboBox, Frame, Id, Rect, Slider, Ui, vec2};
 use super::{legend, navigation};
 use crate::app::Editor;
 use crate::studio::{Eye, Look};
+use crate::theme::sign;
+
+/// What stands behind the name of a menu.
+const OPENS: &str = "▾";
 
 /// The views along the axes, with OpenSCAD's angles in degrees.
 pub(crate) const PRESETS: [(&str, [f64; 3]); 7] = [
@@ -43,13 +47,14 @@ fn floating(ui: &Ui, name: &str, corner: Align2, rect: Rect, contents: impl FnOn
     Area::new(Id::unique(name)).pivot(corner).fixed_pos(at).constrain_to(inside).order(egui::Order::Middle).show(
         ui.ctx(),
         |ui| {
+            ui.set_max_width(inside.width());
             Frame::popup(ui.style()).inner_margin(vec2(6.0, 4.0)).show(ui, contents);
         },
     );
 }
 
 fn view_menu(editor: &mut Editor, ui: &mut Ui) {
-    ui.menu_button("View", |ui| views(editor, ui));
+    ui.menu_button(("View", sign(OPENS)), |ui| views(editor, ui));
 }
 
 /// The choices of from where to look.
@@ -102,7 +107,7 @@ pub(crate) fn frame_selection(editor: &mut Editor) {
 
 fn look_menu(editor: &mut Editor, ui: &mut Ui) {
     let now = look_name(&editor.viewport.look);
-    ui.menu_button(now, |ui| looks(editor, ui));
+    ui.menu_button((now, sign(OPENS)), |ui| looks(editor, ui));
 }
 
 /// The choices of what to show.
@@ -165,7 +170,7 @@ fn section_controls(editor: &mut Editor, ui: &mut Ui) {
 }
 
 fn light_menu(editor: &mut Editor, ui: &mut Ui) {
-    ui.menu_button("Light", |ui| {
+    ui.menu_button(("Light", sign(OPENS)), |ui| {
         let viewport = &mut editor.viewport;
         method_choice(ui, "Shadows", &mut viewport.direct);
         let mut compares = viewport.compared.is_some();
@@ -202,7 +207,7 @@ pub(super) fn method_name(direct: Direct) -> &'static str {
 fn selection_chain(editor: &mut Editor, ui: &mut Ui) {
     let Some(selection) = editor.viewport.selection.clone() else { return };
     let mut chosen = None;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for (index, origin) in selection.chain.iter().enumerate().take(8) {
             if index > 0 {
                 ui.weak("in");

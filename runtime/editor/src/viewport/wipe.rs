@@ -5,7 +5,9 @@ use egui::{Align2, Color32, CursorIcon, FontId, Painter, Rect, Response, Stroke,
 use crate::app::Editor;
 
 /// So near to the divider, in points, a drag takes it.
-const REACH: f32 = 8.0;
+const REACH: f32 = 10.0;
+/// The radius of the knob in the middle of the divider, in points.
+const KNOB: f32 = 9.0;
 
 /// Drags the divider. True if the pointer is busy with it.
 pub(super) fn drag(editor: &mut Editor, ui: &Ui, response: &Response) -> bool {
@@ -35,6 +37,13 @@ pub(super) fn paint(editor: &Editor, painter: &Painter, rect: Rect, other: &Text
     painter.image(other.id(), right, Rect::from_min_max(pos2(part, 0.0), pos2(1.0, 1.0)), Color32::WHITE);
     painter.vline(divider, rect.y_range(), Stroke::new(3.0, Color32::from_black_alpha(120)));
     painter.vline(divider, rect.y_range(), Stroke::new(1.5, Color32::WHITE));
+    let knob = pos2(divider, rect.center().y);
+    painter.circle(knob, KNOB, Color32::WHITE, Stroke::new(1.0, Color32::from_black_alpha(120)));
+    for side in [-1.0, 1.0] {
+        let tip = knob + vec2(side * 0.6 * KNOB, 0.0);
+        let arrow = [-0.3, 0.3].map(|up| tip + vec2(-side * 0.3 * KNOB, up * KNOB));
+        painter.line(vec![arrow[0], tip, arrow[1]], Stroke::new(1.5, Color32::from_gray(60)));
+    }
     let Some((method, _)) = editor.viewport.compared else { return };
     let sides = [(Align2::RIGHT_BOTTOM, -8.0, editor.viewport.direct), (Align2::LEFT_BOTTOM, 8.0, method)];
     for (anchor, shift, method) in sides {

@@ -1,11 +1,8 @@
 //! `chiaro export`: writes a scene as another program reads it.
 //!
-//! A target makes the bytes of [`output::File`]s in memory; [`output::write`] then puts all of them into place, or none.
+//! What is written, and how, is [`chiaro_exports`]'; here is what the command line says about it.
 
 mod mesh;
-mod output;
-mod parallel;
-mod shader;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -13,21 +10,35 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use chiaro_compiler::export::{self, Language, Package};
 use chiaro_compiler::{Compilation, Scene};
+use chiaro_exports::{File, Format, MeshFormat, Shaded};
+use chiaro_render::Gpu;
 
 use crate::arguments::{Export, Global, Target};
 use crate::compile;
-use output::File;
 
 pub(crate) fn run(arguments: &Export, global: &Global) -> Result<ExitCode> {
     let target = target(arguments)?;
-    output::refuse(&arguments.output, arguments.force)?;
+    if arguments.output.exists() {
+        refuse(&arguments.output, arguments.force)?;
+    }
     let compilation = compile::compilation(&arguments.scene, global)?;
     let Some(scene) = &compilation.scene else { return Ok(ExitCode::FAILURE) };
     let written = files(&compilation, scene, target, arguments, global).and_then(|files| {
-        output::write(&files, &arguments.output, arguments.force)?;
+        if let Some(place) = chiaro_exports::occupied(&files, &arguments.output) {
+            refuse(place, arguments.force)?;
+        }
+        chiaro_exports::write(&files, &arguments.output)?;
         Ok(ExitCode::SUCCESS)
     });
     compile::drawn(written, &compilation.sources, global)
+}
+
+/// Refuses to write where something is, unless forced.
+fn refuse(occupied: &Path, force: bool) -> Result<()> {
+    if !force {
+        bail!("{} is there already; --force writes over it", occupied.display());
+    }
+    Ok(())
 }
 
 fn files(
@@ -37,56 +48,47 @@ fn files(
     arguments: &Export,
     global: &Global,
 ) -> Result<Vec<File>> {
-    match kind(target, arguments.program) {
-        Kind::Shader(target) => shader::files(compilation, scene, target, arguments),
-        Kind::Mesh(_) if arguments.program => bail!("--program is for shading languages, such as --to glsl-330"),
-        Kind::Mesh(format) => mesh::files(scene, format, &arguments.output, arguments, global),
-        Kind::Blender => blender(compilation, scene, arguments, global),
+    match format(target, arguments.program) {
+        Format::Mesh(_) if arguments.program => bail!("--program is for shading languages, such as --to glsl-330"),
+        Format::Mesh(format) => mesh::files(scene, format, &arguments.output, arguments, global),
+        Format::Shader(target) => {
+            let gpu = Gpu::new(&arguments.adapter.preference())?;
+            let title = arguments.scene.file.file_stem().unwrap_or_default().to_string_lossy();
+            let shaded = Shaded { title: &title, scene, sources: &compilation.sources, view: None };
+            let mut files = chiaro_exports::shader_files(&gpu, &shaded, target, &arguments.output)?;
+            if let Some(path) = chiaro_exports::mesh_beside(target, &files, &arguments.output) {
+                files.extend(mesh::files(scene, MeshFormat::Obj, &path, arguments, global)?);
+            }
+            Ok(files)
+        }
     }
 }
 
-/// Blender's script, and the mesh that it imports.
-fn blender(compilation: &Compilation, scene: &Scene, arguments: &Export, global: &Global) -> Result<Vec<File>> {
-    let mut files = shader::files(compilation, scene, export::Target::Package(Package::Blender), arguments)?;
-    let script = files.iter().find(|file| file.path.extension().is_some_and(|ending| ending == "py"));
-    let mesh = script.map_or_else(|| arguments.output.join("scene.obj"), |file| file.path.with_extension("obj"));
-    files.extend(mesh::files(scene, mesh::Format::Obj, &mesh, arguments, global)?);
-    Ok(files)
-}
-
-/// What a target is made by.
-enum Kind {
-    Mesh(mesh::Format),
-    /// A mesh with a script.
-    Blender,
-    Shader(export::Target),
-}
-
-fn kind(target: Target, program: bool) -> Kind {
+fn format(target: Target, program: bool) -> Format {
     let language = |language: Language| {
-        Kind::Shader(if program { export::Target::Program(language) } else { export::Target::Library(language) })
+        Format::Shader(if program { export::Target::Program(language) } else { export::Target::Library(language) })
     };
-    let package = |package: Package| Kind::Shader(export::Target::Package(package));
+    let package = |package: Package| Format::Shader(export::Target::Package(package));
     match target {
-        Target::Stl => Kind::Mesh(mesh::Format::Stl),
-        Target::Obj => Kind::Mesh(mesh::Format::Obj),
-        Target::Ply => Kind::Mesh(mesh::Format::Ply),
-        Target::ThreeMf => Kind::Mesh(mesh::Format::ThreeMf),
-        Target::Gltf => Kind::Mesh(mesh::Format::Gltf),
-        Target::Glb => Kind::Mesh(mesh::Format::Glb),
+        Target::Stl => Format::Mesh(MeshFormat::Stl),
+        Target::Obj => Format::Mesh(MeshFormat::Obj),
+        Target::Ply => Format::Mesh(MeshFormat::Ply),
+        Target::ThreeMf => Format::Mesh(MeshFormat::ThreeMf),
+        Target::Gltf => Format::Mesh(MeshFormat::Gltf),
+        Target::Glb => Format::Mesh(MeshFormat::Glb),
         Target::Wgsl => language(Language::Wgsl),
         Target::Glsl330 => language(Language::Glsl330),
         Target::Glsl450 => language(Language::Glsl450),
         Target::GlslEs300 => language(Language::GlslEs300),
         Target::Hlsl => language(Language::Hlsl),
         Target::Msl => language(Language::Metal),
-        Target::SpirV => Kind::Shader(export::Target::Program(Language::SpirV)),
+        Target::SpirV => Format::Shader(export::Target::Program(Language::SpirV)),
         Target::Shadertoy => package(Package::Shadertoy),
         Target::GlslViewer => package(Package::GlslViewer),
         Target::WebGl => package(Package::WebGl),
         Target::WebGpu => package(Package::WebGpu),
         Target::Bevy => package(Package::Bevy),
-        Target::Blender => Kind::Blender,
+        Target::Blender => package(Package::Blender),
         Target::Isf => package(Package::Isf),
         Target::Unity => package(Package::Unity),
         Target::Unreal => package(Package::Unreal),

@@ -3,6 +3,8 @@
 use chiaro_assist::{Choice, Control, Parameter};
 use egui::{ComboBox, DragValue, Slider, TextEdit, Ui};
 
+/// The width of the number beside a slider, in points.
+const NUMBER: f32 = 52.0;
 /// Digits of a number that a slider was moved to.
 const DIGITS: i32 = 6;
 
@@ -15,7 +17,7 @@ pub(super) fn show(ui: &mut Ui, parameter: &Parameter, value: &str) -> Option<St
         Control::SpinBox { value: own, step } => {
             let mut number = first(value, *own);
             let speed = step.unwrap_or_else(|| (number.abs() * 0.01).max(0.01));
-            let changed = named(ui, name, |ui| ui.add(DragValue::new(&mut number).speed(speed)));
+            let changed = named(ui, name, |ui| ui.add(field(&mut number, speed)));
             changed.then(|| self::number(stepped(number, 0.0, *step)))
         }
         Control::CheckBox { .. } => {
@@ -26,7 +28,8 @@ pub(super) fn show(ui: &mut Ui, parameter: &Parameter, value: &str) -> Option<St
         Control::Text { max_length, .. } => {
             let mut text = unquoted(value);
             let limit = max_length.unwrap_or(usize::MAX);
-            let edit = |ui: &mut Ui| ui.add(TextEdit::singleline(&mut text).char_limit(limit));
+            let width = ui.available_width();
+            let edit = |ui: &mut Ui| ui.add(TextEdit::singleline(&mut text).char_limit(limit).desired_width(width));
             named(ui, name, edit).then(|| quoted(&text))
         }
         Control::Vector { components, bounds, step } => {
@@ -36,7 +39,9 @@ pub(super) fn show(ui: &mut Ui, parameter: &Parameter, value: &str) -> Option<St
         }
         Control::Expression => {
             let mut text = value.to_owned();
-            named(ui, name, |ui| ui.add(TextEdit::singleline(&mut text).code_editor())).then_some(text)
+            let width = ui.available_width();
+            let edit = |ui: &mut Ui| ui.add(TextEdit::singleline(&mut text).code_editor().desired_width(width));
+            named(ui, name, edit).then_some(text)
         }
     }
 }
@@ -83,18 +88,25 @@ fn named(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui) -> egui::Response) -
 
 fn slider(ui: &mut Ui, name: &str, mut value: f64, [min, max]: [f64; 2], step: Option<f64>) -> Option<String> {
     let changed = ui.horizontal(|ui| {
-        ui.spacing_mut().slider_width = (ui.available_width() - 72.0).max(60.0);
+        ui.spacing_mut().slider_width = (ui.available_width() - NUMBER - ui.spacing().item_spacing.x).max(40.0);
         let mut slider = Slider::new(&mut value, min..=max).clamping(egui::SliderClamping::Edits).show_value(false);
         if let Some(step) = step {
             slider = slider.step_by(step);
         }
         let is_dragged = named(ui, name, |ui| ui.add(slider));
         let speed = step.unwrap_or(0.002 * (max - min));
-        let field = DragValue::new(&mut value).range(min..=max).clamp_existing_to_range(false).speed(speed);
-        let is_typed = named(ui, &format!("{name} as a number"), |ui| ui.add_sized([60.0, 20.0], field));
+        let field = field(&mut value, speed).range(min..=max).clamp_existing_to_range(false);
+        let size = [NUMBER, ui.spacing().interact_size.y];
+        let is_typed = named(ui, &format!("{name} as a number"), |ui| ui.add_sized(size, field));
         is_dragged || is_typed
     });
     changed.inner.then(|| number(if step.is_some() { stepped(value, min, step) } else { rounded(value, max - min) }))
+}
+
+/// A field for a number, which is shown as the program writes it.
+fn field(value: &mut f64, speed: f64) -> DragValue<'_> {
+    let formatted = |value: f64, _| number(rounded(value, value.abs().max(1.0)));
+    DragValue::new(value).speed(speed).custom_formatter(formatted)
 }
 
 /// The nearest value that is a number of steps from the least one, without the noise of adding them up.
@@ -143,7 +155,7 @@ fn vector_fields(
     ui.horizontal_wrapped(|ui| {
         for (index, value) in values.iter_mut().enumerate() {
             let speed = step.unwrap_or_else(|| (value.abs() * 0.01).max(0.01));
-            let drag = DragValue::new(value).range(range.clone()).speed(speed);
+            let drag = field(value, speed).range(range.clone());
             let axis = ["x", "y", "z"].get(index).map_or_else(|| index.to_string(), |axis| (*axis).to_owned());
             if named(ui, &format!("{name} {axis}"), |ui| ui.add(drag)) {
                 *value = stepped(*value, bounds.map_or(0.0, |(min, _)| min), step);

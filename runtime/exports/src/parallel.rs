@@ -10,13 +10,13 @@ use chiaro_compiler::vocabulary::cpu::Dual;
 use chiaro_mesh::Field;
 
 /// A field, asked from several threads at once.
-pub(super) struct Parallel<F> {
+pub(crate) struct Parallel<F> {
     field: F,
     threads: usize,
 }
 
 impl<F: Field + Sync> Parallel<F> {
-    pub(super) fn new(field: F) -> Self {
+    pub(crate) fn new(field: F) -> Self {
         Self { field, threads: thread::available_parallelism().map_or(1, NonZero::get) }
     }
 
