@@ -88,6 +88,7 @@ fn kind(target: Target, program: bool) -> Kind {
         Target::Bevy => package(Package::Bevy),
         Target::Blender => Kind::Blender,
         Target::Isf => package(Package::Isf),
+        Target::Three => package(Package::Three),
         Target::Unity => package(Package::Unity),
         Target::Unreal => package(Package::Unreal),
     }
