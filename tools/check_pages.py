@@ -13,7 +13,7 @@ import pathlib
 import sys
 import tempfile
 
-from chromium import PATIENCE_MS, chiaro, chromium, examples, one_pass, page_of
+from chromium import PATIENCE_MS, chiaro, chromium, examples, one_pass, page_of, photograph
 from compare_pictures import compared
 
 # Answers Tint's messages about a text.
@@ -54,16 +54,15 @@ def check_pages(browser, folder, scenes, targets):
             file = folder / f"{scene.stem}-{target}.html"
             chiaro("export", scene, "--to", target, "-o", file)
             page = page_of(browser)
-            page.goto(file.as_uri())
+            page.goto(file.as_uri(), wait_until="commit")
             page.wait_for_function("document.body.dataset.drawn || document.getElementById('problem')", timeout=PATIENCE_MS)
             problem = page.query_selector("#problem")
             if problem:
                 bad += 1
                 print(f"{scene.stem}, {target}: {problem.text_content()}", flush=True)
             else:
-                page.add_style_tag(content="#controls { display: none }")
                 shown = file.with_suffix(".png")
-                page.screenshot(path=shown)
+                photograph(page, shown, "#controls")
                 print(f"{scene.stem}, {target}: {compared(shown, own)}", flush=True)
             page.close()
     return bad

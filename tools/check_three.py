@@ -12,7 +12,7 @@ import os
 import pathlib
 import sys
 
-from chromium import PATIENCE_MS, chiaro, chromium, examples, one_pass, page_of
+from chromium import PATIENCE_MS, chiaro, chromium, examples, one_pass, page_of, photograph
 from compare_pictures import compared
 
 CDN = "https://cdn.jsdelivr.net/npm/three@0.187.0/"
@@ -33,17 +33,21 @@ def serve(page, folder):
     page.route("**/*", answer)
 
 
+def is_told(message):
+    """Whether a message of the console is about the page; that reading pixels is slow is not."""
+    return message.type in ("error", "warning") and "GPU stall due to ReadPixels" not in message.text
+
+
 def photographed(browser, folder, name, picture):
     """What the browser says about a page until it has drawn; its picture is written."""
     page = page_of(browser)
     said = []
-    page.on("console", lambda message: message.type in ("error", "warning") and said.append(message.text))
+    page.on("console", lambda message: is_told(message) and said.append(message.text))
     page.on("pageerror", lambda error: said.append(str(error)))
     serve(page, folder)
-    page.goto(SERVED + name)
+    page.goto(SERVED + name, wait_until="commit")
     page.wait_for_function("document.body.dataset.drawn", timeout=PATIENCE_MS)
-    page.add_style_tag(content=".lil-gui { display: none }")
-    page.screenshot(path=picture, timeout=PATIENCE_MS)
+    photograph(page, picture, ".lil-gui")
     page.close()
     return said
 
