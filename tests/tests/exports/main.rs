@@ -8,7 +8,7 @@ use chiaro_compiler::export::{Language, Package, Target};
 use chiaro_compiler::field::Evaluator;
 use chiaro_compiler::vocabulary::Bounds;
 use chiaro_tests::sampling::Random;
-use support::{Example, Stage, compiled_by_glslang, distances_on_gpu, examples, validated};
+use support::{Example, Stage, compiled_by_glslang, distances_on_gpu, examples, validated, validated_by_naga};
 
 #[test]
 fn wgsl_is_valid() {
@@ -17,14 +17,6 @@ fn wgsl_is_valid() {
             validated_by_naga(&example.name, &example.text(target));
         }
     }
-}
-
-fn validated_by_naga(name: &str, text: &str) {
-    let module =
-        naga::front::wgsl::parse_str(text).unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(text)));
-    naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty())
-        .validate(&module)
-        .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(text)));
 }
 
 #[test]
@@ -41,41 +33,6 @@ fn glslang_accepts_every_program() {
         let main = "\nvoid main() { mainImage(pixel, gl_FragCoord.xy); }\n";
         compiled_by_glslang(&example.name, &format!("{page}{image}{main}"), Stage::Fragment);
     }
-}
-
-#[test]
-fn modules_for_three_are_shader_code_between_backticks() {
-    // What three.js would put in the place of its includes, and declare before.
-    let includes = [
-        ("#include <common>", "bool isPerspectiveMatrix(mat4 m) { return m[2][3] == -1.0; }\n"),
-        ("#include <colorspace_fragment>", ""),
-    ];
-    let before = "#version 300 es\n#define varying in\n#define gl_FragColor pixel\nprecision highp float;\n\
-                  precision highp int;\nout vec4 pixel;\n";
-    for example in examples().into_iter().filter(|example| ["bracket", "clock", "mug"].contains(&&*example.name)) {
-        let files = example.export(Target::Package(Package::Three)).unwrap();
-        let name = &example.name;
-        let literals = |path: String| {
-            let file = files.iter().find(|file| file.path == path).unwrap_or_else(|| panic!("{path} is missing"));
-            template_literals(std::str::from_utf8(&file.bytes).unwrap())
-        };
-        let [.., fragment, scene] = &literals(format!("webgl/{name}_picture.js"))[..] else { panic!("{name}") };
-        let picture = includes.iter().fold(format!("{scene}{fragment}"), |text, (from, to)| text.replace(from, to));
-        compiled_by_glslang(name, &format!("{before}{picture}"), Stage::Fragment);
-        for path in [format!("webgpu/{name}.js"), format!("webgpu/{name}_picture.js")] {
-            validated_by_naga(&path, &literals(path.clone()).concat());
-        }
-    }
-}
-
-/// The shader code of a module: what is between a comment that names the language and a closing backtick.
-fn template_literals(module: &str) -> Vec<String> {
-    let pieces = module.split("sl */ `").skip(1);
-    let ends = |text: &str| {
-        let end = text.match_indices('`').find(|(at, _)| !text[..*at].ends_with('\\')).expect("the literal ends");
-        text[..end.0].replace(r"\`", "`").replace(r"\${", "${").replace(r"\\", r"\")
-    };
-    pieces.map(ends).collect()
 }
 
 #[test]
