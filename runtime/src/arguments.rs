@@ -260,6 +260,8 @@ pub(crate) enum Target {
     Blender,
     /// A generator in the Interactive Shader Format, for VJs' programs.
     Isf,
+    /// Modules for three.js, and pages that show them: a folder.
+    Three,
     /// A folder for a Unity project: shaders for its Universal and its built-in pipeline.
     Unity,
     /// A folder for Unreal: shader code, and a script that makes a material of it.

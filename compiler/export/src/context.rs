@@ -13,6 +13,22 @@ use crate::subject::Scene;
 
 const ABOUT: &str = include_str!("../packages/languages/about.txt");
 
+macro_rules! parts {
+    ($($path:literal),* $(,)?) => { [$(($path, include_str!(concat!("../packages/", $path)))),*] };
+}
+
+/// What templates include and extend, under its path in the folder of packages.
+const PARTS: [(&str, &str); 8] = parts![
+    "three/page.html",
+    "three/solid.d.ts",
+    "three/time.js",
+    "three/webgl/parameters.glsl",
+    "three/webgpu/depth.js",
+    "three/webgpu/parameters.wgsl",
+    "web/head.html",
+    "web/view.js",
+];
+
 /// What templates know.
 #[derive(Serialize)]
 pub(crate) struct Context {
@@ -103,6 +119,10 @@ impl Context {
         let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).keep_trailing_newline(true).build();
         environment.set_syntax(syntax.map_err(failed)?);
         environment.add_filter("float", |value: f64| crate::parameters::number(value));
+        environment.add_filter("template_literal", template_literal);
+        for (name, text) in PARTS {
+            environment.add_template(name, text).map_err(failed)?;
+        }
         environment.render_str(template, context! { code, ..Value::from(Serde(self)) }).map_err(failed)
     }
 }
@@ -110,6 +130,11 @@ impl Context {
 /// Whether a character means nothing to any language, so that titles can stand in its comments and its strings.
 fn is_plain(c: char) -> bool {
     c.is_alphanumeric() || " -_.,()+".contains(c)
+}
+
+/// A text as it stands between the backticks of JavaScript's template literals.
+fn template_literal(text: String) -> String {
+    text.replace('\\', r"\\").replace('`', r"\`").replace("${", r"\${")
 }
 
 /// `WallClock` for `wall_clock`.

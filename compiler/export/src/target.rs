@@ -47,6 +47,8 @@ pub enum Package {
     Blender,
     /// The Interactive Shader Format of VJs' programs.
     Isf,
+    /// Modules for three.js.
+    Three,
     /// Shaders for both of its pipelines, and a menu.
     Unity,
     /// A material, and a script that installs it.

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use chiaro_compiler::export::{Package, Target};
 
-use super::support::{Stage, compiled_by_glslang, examples, text_at};
+use super::support::{Stage, compiled_by_glslang, examples, text_at, validated_by_naga};
 
 #[test]
 fn isf_has_its_inputs() {
@@ -38,11 +38,7 @@ fn bevys_materials_are_valid() {
         let files = example.export(Target::Package(Package::Bevy)).unwrap();
         for ending in [".wgsl", "_depth.wgsl", "_picture.wgsl"] {
             let text = format!("{BEVY}{}", without_bevy(&text_at(&files, ending)));
-            let module = naga::front::wgsl::parse_str(&text)
-                .unwrap_or_else(|error| panic!("{} {ending}: {}", example.name, error.emit_to_string(&text)));
-            naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty())
-                .validate(&module)
-                .unwrap_or_else(|error| panic!("{} {ending}: {}", example.name, error.emit_to_string(&text)));
+            validated_by_naga(&format!("{} {ending}", example.name), &text);
         }
     }
 }
@@ -76,6 +72,38 @@ fn without_bevy(text: &str) -> String {
 /// What Unity's includes declare of what its shaders read.
 const UNITY: &str = "cbuffer Unity {\n    float4x4 UNITY_MATRIX_V, UNITY_MATRIX_P, UNITY_MATRIX_VP, unity_WorldToObject, unity_ObjectToWorld;\n    \
                      float4 _ScreenParams, _Time;\n};\n";
+
+#[test]
+fn modules_for_three_are_shader_code_between_backticks() {
+    // What three.js would put in the place of its includes, and declare before.
+    let includes = [
+        ("#include <common>", "bool isPerspectiveMatrix(mat4 m) { return m[2][3] == -1.0; }\n"),
+        ("#include <colorspace_fragment>", ""),
+    ];
+    let before = "#version 300 es\n#define varying in\n#define gl_FragColor pixel\nprecision highp float;\n\
+                  precision highp int;\nout vec4 pixel;\n";
+    for example in examples() {
+        let files = example.export(Target::Package(Package::Three)).unwrap();
+        let name = &example.name;
+        let literals = |path: &str| template_literals(&text_at(&files, path));
+        let [.., fragment, scene] = &literals(&format!("webgl/{name}_picture.js"))[..] else { panic!("{name}") };
+        let picture = includes.iter().fold(format!("{scene}{fragment}"), |text, (from, to)| text.replace(from, to));
+        compiled_by_glslang(name, &format!("{before}{picture}"), Stage::Fragment);
+        for path in [format!("webgpu/{name}.js"), format!("webgpu/{name}_picture.js")] {
+            validated_by_naga(&path, &literals(&path).concat());
+        }
+    }
+}
+
+/// The shader code of a module: what is between a comment that names the language and a closing backtick.
+fn template_literals(module: &str) -> Vec<String> {
+    let pieces = module.split("sl */ `").skip(1);
+    let ends = |text: &str| {
+        let end = text.match_indices('`').find(|(at, _)| !text[..*at].ends_with('\\')).expect("the literal ends");
+        text[..end.0].replace(r"\`", "`").replace(r"\${", "${").replace(r"\\", r"\")
+    };
+    pieces.map(ends).collect()
+}
 
 #[test]
 fn unitys_shaders_compile() {

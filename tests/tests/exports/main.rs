@@ -8,18 +8,13 @@ use chiaro_compiler::export::{Language, Package, Target};
 use chiaro_compiler::field::Evaluator;
 use chiaro_compiler::vocabulary::Bounds;
 use chiaro_tests::sampling::Random;
-use support::{Example, Stage, compiled_by_glslang, distances_on_gpu, examples, validated};
+use support::{Example, Stage, compiled_by_glslang, distances_on_gpu, examples, validated, validated_by_naga};
 
 #[test]
 fn wgsl_is_valid() {
     for example in examples() {
         for target in [Target::Library(Language::Wgsl), Target::Program(Language::Wgsl)] {
-            let text = example.text(target);
-            let module = naga::front::wgsl::parse_str(&text)
-                .unwrap_or_else(|error| panic!("{}: {}", example.name, error.emit_to_string(&text)));
-            naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty())
-                .validate(&module)
-                .unwrap_or_else(|error| panic!("{}: {}", example.name, error.emit_to_string(&text)));
+            validated_by_naga(&example.name, &example.text(target));
         }
     }
 }

@@ -126,6 +126,15 @@ pub(crate) fn compiled_by_glslang(name: &str, text: &str, stage: Stage) -> Vec<u
     std::fs::read(&output).unwrap_or_default()
 }
 
+/// Panics unless naga accepts a text.
+pub(crate) fn validated_by_naga(name: &str, text: &str) {
+    let module =
+        naga::front::wgsl::parse_str(text).unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(text)));
+    naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty())
+        .validate(&module)
+        .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(text)));
+}
+
 /// Checks SPIR-V by spirv-val.
 pub(crate) fn validated(name: &str, words: &[u8]) {
     let mut file = tempfile::NamedTempFile::new().unwrap();

@@ -4,6 +4,7 @@ mod bevy;
 mod blender;
 mod folder;
 mod pages;
+mod three;
 mod unity;
 mod unreal;
 
@@ -22,6 +23,7 @@ pub(crate) fn files(scene: &Scene, package: Package) -> Result<Vec<File>, Diagno
         Package::Bevy => bevy::files(scene),
         Package::Blender => blender::files(scene),
         Package::Isf => pages::isf(scene),
+        Package::Three => three::files(scene),
         Package::Unity => unity::files(scene),
         Package::Unreal => unreal::files(scene),
     }

@@ -90,6 +90,7 @@ fn format(target: Target, program: bool) -> Format {
         Target::Bevy => package(Package::Bevy),
         Target::Blender => package(Package::Blender),
         Target::Isf => package(Package::Isf),
+        Target::Three => package(Package::Three),
         Target::Unity => package(Package::Unity),
         Target::Unreal => package(Package::Unreal),
     }
