@@ -85,6 +85,8 @@ fn kind(target: Target, program: bool) -> Kind {
         Target::GlslViewer => package(Package::GlslViewer),
         Target::WebGl => package(Package::WebGl),
         Target::WebGpu => package(Package::WebGpu),
+        Target::Godot => package(Package::Godot4),
+        Target::Godot3 => package(Package::Godot3),
         Target::Bevy => package(Package::Bevy),
         Target::Blender => Kind::Blender,
         Target::Isf => package(Package::Isf),
