@@ -110,8 +110,8 @@ fn hidden_names(shader: &str) -> Vec<String> {
 }
 
 const TYPES: [&str; 20] = [
-    "bool", "bvec2", "bvec3", "bvec4", "int", "ivec2", "ivec3", "ivec4", "uint", "uvec2", "uvec3", "uvec4", "float", "vec2",
-    "vec3", "vec4", "mat2", "mat3", "mat4", "void",
+    "bool", "bvec2", "bvec3", "bvec4", "int", "ivec2", "ivec3", "ivec4", "uint", "uvec2", "uvec3", "uvec4", "float",
+    "vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "void",
 ];
 
 /// Words and signs, without comments.
@@ -121,7 +121,8 @@ fn tokens(text: &str) -> Vec<&str> {
     for line in text.lines() {
         let mut rest = line.split_once("//").map_or(line, |(code, _)| code).trim_start();
         while let Some(first) = rest.chars().next() {
-            let length = if is_part(first) { rest.find(|c| !is_part(c)).unwrap_or(rest.len()) } else { first.len_utf8() };
+            let length =
+                if is_part(first) { rest.find(|c| !is_part(c)).unwrap_or(rest.len()) } else { first.len_utf8() };
             tokens.push(&rest[..length]);
             rest = rest[length..].trim_start();
         }

@@ -14,6 +14,10 @@ struct Version {
     dialect: Dialect,
     /// How the names of files with shaders end.
     ending: &'static str,
+    /// Declares the live numbers.
+    uniforms: &'static str,
+    /// What stands behind the name of a time, to read the one that is now.
+    now: &'static str,
     solid: &'static str,
     picture: &'static str,
     solid_scene: &'static str,
@@ -25,6 +29,8 @@ struct Version {
 const GODOT_4: Version = Version {
     dialect: Dialect::Godot4,
     ending: "gdshader",
+    uniforms: include_str!("../../packages/godot/4/uniforms.gdshader"),
+    now: "_now()",
     solid: include_str!("../../packages/godot/4/solid.gdshader"),
     picture: include_str!("../../packages/godot/4/picture.gdshader"),
     solid_scene: concat!(
@@ -42,6 +48,9 @@ const GODOT_4: Version = Version {
 const GODOT_3: Version = Version {
     dialect: Dialect::Godot3,
     ending: "shader",
+    uniforms: include_str!("../../packages/godot/3/uniforms.shader"),
+    // Functions don't see the clock.
+    now: "_now",
     solid: include_str!("../../packages/godot/3/solid.shader"),
     picture: include_str!("../../packages/godot/3/picture.shader"),
     solid_scene: concat!(
@@ -56,9 +65,6 @@ const GODOT_3: Version = Version {
     readme: include_str!("../../packages/godot/3/readme.md"),
 };
 
-/// The live numbers, which both versions declare alike.
-const UNIFORMS: &str = include_str!("../../packages/godot/uniforms.glsl");
-
 pub(super) fn godot_4(scene: &Scene) -> Result<Vec<File>, Diagnostic> {
     files(scene, &GODOT_4)
 }
@@ -72,9 +78,9 @@ fn files(scene: &Scene, version: &Version) -> Result<Vec<File>, Diagnostic> {
     let parameters = &solid.source.parameters;
     let is_time = |name: &str| parameters.iter().any(|parameter| parameter.is_time && parameter.name == name);
     // Time is what its uniform says, or the engine's clock.
-    let read = |name: &str| if is_time(name) { format!("{name}_now()") } else { name.to_owned() };
+    let read = |name: &str| if is_time(name) { format!("{name}{}", version.now) } else { name.to_owned() };
     let context = Context::new(scene, parameters)?;
-    let uniforms = context.fill(UNIFORMS, "")?;
+    let uniforms = context.fill(version.uniforms, "")?;
     let solid_code = uniforms.clone() + &translated(&solid, version.dialect, &read)?;
     let lit_code = uniforms + &translated(&lit, version.dialect, &read)?;
     let folder = Folder::new(context)

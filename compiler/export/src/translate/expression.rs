@@ -120,8 +120,7 @@ impl Writer<'_> {
         let is_vector = left_type.is_vector() || right_type.is_vector();
         let is_bool = left_type.scalar() == Some(Scalar::Bool);
         use BinaryOperator as B;
-        if let Some(function) = glsl_comparison(binary.operator).filter(|_| is_vector && self.dialect.is_glsl())
-        {
+        if let Some(function) = glsl_comparison(binary.operator).filter(|_| is_vector && self.dialect.is_glsl()) {
             return Ok(format!("{function}({left}, {right})"));
         }
         if binary.operator == B::Multiplication && self.dialect == Dialect::Hlsl {

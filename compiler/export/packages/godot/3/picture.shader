@@ -15,6 +15,9 @@ varying vec3 view_up;
 {{ code }}
 
 void vertex() {
+{% for parameter in parameters if parameter.is_time %}
+    {{ parameter.name }}_now = {{ parameter.name }}_runs ? fract(TIME / 8.0) : {{ parameter.name }};
+{% endfor %}
     mat4 to_object = inverse(MODELVIEW_MATRIX);
     view_eye = to_object[3].xyz;
     view_forward = (to_object * vec4(INV_PROJECTION_MATRIX[3].xy, -1.0, 0.0)).xyz;
@@ -37,7 +40,7 @@ void fragment() {
         vec3 normal;
         bool is_floor;
         int evaluations;
-        one_pass(view_eye, w, pixel_angle, place / length(VIEWPORT_SIZE), color, t, position, normal, is_floor, evaluations);
+        one_pass(view_eye, w, pixel_angle, place / length(VIEWPORT_SIZE), i, color, t, position, normal, is_floor, evaluations);
         sum += color;
         // What is nowhere is behind everything.
         p = view_eye + (t > 0.0 ? t : 1e9) * w;

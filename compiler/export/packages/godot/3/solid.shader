@@ -37,6 +37,9 @@ float scene_approach(vec3 o, vec3 w) {
 }
 
 void vertex() {
+{% for parameter in parameters if parameter.is_time %}
+    {{ parameter.name }}_now = {{ parameter.name }}_runs ? fract(TIME / 8.0) : {{ parameter.name }};
+{% endfor %}
     mat4 to_object = inverse(MODELVIEW_MATRIX);
     vec3 point = VERTEX + BOX_CENTER;
     if (PROJECTION_MATRIX[3][3] > 0.5) {
@@ -48,9 +51,10 @@ void vertex() {
         ray_way = point - ray_start;
     }
 
-    // The engine lights what vertices span: so they go along their rays, which shows at the same pixels.
+    // The engine lights what vertices span: so they go along their rays, to just above the
+    // surface, which shows at the same pixels.
     vec3 w = normalize(ray_way);
-    point = ray_start + scene_approach(ray_start, w) * w;
+    point = ray_start + (scene_approach(ray_start, w) - 0.01 * BOX_SIZE) * w;
     ray_way = PROJECTION_MATRIX[3][3] > 0.5 ? ray_way : point - ray_start;
     VERTEX = point - BOX_CENTER;
 }
