@@ -254,6 +254,11 @@ pub(crate) enum Target {
     /// A page that draws the scene with WebGPU.
     #[value(name = "webgpu")]
     WebGpu,
+    /// A folder for Godot 4: a material for the solid and one for the picture, with a scene for each.
+    Godot,
+    /// The same for Godot 3.
+    #[value(name = "godot-3")]
+    Godot3,
     /// A crate with materials for Bevy.
     Bevy,
     /// A folder for Blender: a mesh, and a script that imports it with lights, sky and camera.

@@ -41,6 +41,10 @@ pub enum Package {
     WebGl,
     /// A page that draws with WebGPU.
     WebGpu,
+    /// A project for Godot 4.
+    Godot4,
+    /// The same for Godot 3.
+    Godot3,
     /// A crate with materials.
     Bevy,
     /// A script that adds lights, sky and camera to the mesh `NAME.obj`, which is left to whoever exports.

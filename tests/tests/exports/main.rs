@@ -2,6 +2,7 @@
 //! spirv-val for SPIR-V, naga for WGSL. And the numbers it comes to, on the graphics adapter, beside those of the CPU.
 
 mod engines;
+mod godot;
 mod support;
 
 use chiaro_compiler::export::{Language, Package, Target};

@@ -3,6 +3,7 @@
 mod bevy;
 mod blender;
 mod folder;
+mod godot;
 mod pages;
 mod three;
 mod unity;
@@ -20,6 +21,8 @@ pub(crate) fn files(scene: &Scene, package: Package) -> Result<Vec<File>, Diagno
         Package::GlslViewer => pages::glsl_viewer(scene),
         Package::WebGl => pages::webgl(scene),
         Package::WebGpu => pages::webgpu(scene),
+        Package::Godot4 => godot::godot_4(scene),
+        Package::Godot3 => godot::godot_3(scene),
         Package::Bevy => bevy::files(scene),
         Package::Blender => blender::files(scene),
         Package::Isf => pages::isf(scene),

@@ -6,8 +6,12 @@ use super::types::{Scalar, Type};
 /// A family of languages that read alike.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dialect {
-    /// GLSL from version 330 and ES 300 on, and what is made after it: Shadertoy, Godot.
+    /// GLSL from version 330 and ES 300 on, and what is made after it: Shadertoy.
     Glsl,
+    /// Godot's, from version 4 of the engine on: GLSL in which no name may hide another one.
+    Godot4,
+    /// Godot's before that: without structs, constant arrays and marks of unsigned literals.
+    Godot3,
     /// HLSL from shader model 5 on.
     Hlsl,
     /// The Metal shading language.
@@ -15,10 +19,30 @@ pub enum Dialect {
 }
 
 impl Dialect {
+    /// Whether it is GLSL, or made after it.
+    pub(super) fn is_glsl(self) -> bool {
+        matches!(self, Dialect::Glsl | Dialect::Godot4 | Dialect::Godot3)
+    }
+
+    /// Whether it is Godot's, where a name must not be that of anything else that is visible.
+    pub(super) fn is_godot(self) -> bool {
+        matches!(self, Dialect::Godot4 | Dialect::Godot3)
+    }
+
+    /// Whether it has structs.
+    pub(super) fn has_structs(self) -> bool {
+        self != Dialect::Godot3
+    }
+
+    /// Whether constants of the text may be arrays.
+    pub(super) fn has_constant_arrays(self) -> bool {
+        self != Dialect::Godot3
+    }
+
     /// What the language calls a built-in function.
     pub(super) fn builtin(self, name: &str) -> Option<&'static str> {
         match self {
-            Dialect::Glsl => builtins::glsl(name),
+            Dialect::Glsl | Dialect::Godot4 | Dialect::Godot3 => builtins::glsl(name),
             Dialect::Hlsl => builtins::hlsl(name),
             Dialect::Metal => builtins::metal(name),
         }
@@ -29,12 +53,12 @@ impl Dialect {
         match ty {
             Type::Scalar(scalar) => self.scalar_name(*scalar).to_owned(),
             Type::Vector(size, scalar) => match self {
-                Dialect::Glsl => format!("{}vec{size}", glsl_prefix(*scalar)),
                 Dialect::Hlsl | Dialect::Metal => format!("{}{size}", self.scalar_name(*scalar)),
+                _ => format!("{}vec{size}", glsl_prefix(*scalar)),
             },
             Type::Matrix(size) => match self {
-                Dialect::Glsl => format!("mat{size}"),
                 Dialect::Hlsl | Dialect::Metal => format!("float{size}x{size}"),
+                _ => format!("mat{size}"),
             },
             Type::Struct(name) => name.clone(),
             Type::Array(element, _) => self.type_name(element),
@@ -54,23 +78,25 @@ impl Dialect {
     /// Words of the language that a name may not be.
     pub(super) fn reserves(self, name: &str) -> bool {
         let own: &[&str] = match self {
-            Dialect::Glsl => &GLSL_WORDS,
+            Dialect::Glsl | Dialect::Godot4 | Dialect::Godot3 => &GLSL_WORDS,
             Dialect::Hlsl => &HLSL_WORDS,
             Dialect::Metal => &METAL_WORDS,
         };
-        own.contains(&name) || (self == Dialect::Glsl && (name.starts_with("gl_") || name.contains("__")))
+        own.contains(&name)
+            || (self.is_glsl() && (name.starts_with("gl_") || name.contains("__")))
+            || (self.is_godot() && GODOT_WORDS.contains(&name))
     }
 
     /// All words that some language keeps for itself, and what it calls its built-in functions.
     pub(crate) fn words() -> impl Iterator<Item = &'static str> {
-        let reserved = [&GLSL_WORDS[..], &HLSL_WORDS, &METAL_WORDS].into_iter().flatten().copied();
+        let reserved = [&GLSL_WORDS[..], &GODOT_WORDS, &HLSL_WORDS, &METAL_WORDS].into_iter().flatten().copied();
         reserved.chain(builtins::words())
     }
 
     /// What a constant of the text starts with.
     pub(super) fn constant(self) -> &'static str {
         match self {
-            Dialect::Glsl => "const",
+            Dialect::Glsl | Dialect::Godot4 | Dialect::Godot3 => "const",
             Dialect::Hlsl => "static const",
             Dialect::Metal => "constant",
         }
@@ -153,6 +179,9 @@ const GLSL_WORDS: [&str; 64] = [
     "using",
     "varying",
 ];
+
+/// Words of Godot, beside those of GLSL, that a WGSL name may be.
+const GODOT_WORDS: [&str; 5] = ["E", "PI", "TAU", "render_mode", "shader_type"];
 
 /// Words of HLSL, and of what Unity includes, that a WGSL name may be.
 const HLSL_WORDS: [&str; 57] = [

@@ -1,8 +1,8 @@
 //! Expressions.
 
 use wgsl_parse::syntax::{
-    BinaryExpression, BinaryOperator, Expression, ExpressionNode, FunctionCall, LiteralExpression, UnaryExpression,
-    UnaryOperator,
+    BinaryExpression, BinaryOperator, Expression, ExpressionNode, FunctionCall, IndexingExpression, LiteralExpression,
+    UnaryExpression, UnaryOperator,
 };
 
 use super::layout::Writer;
@@ -25,19 +25,29 @@ impl Writer<'_> {
                 {
                     return Ok(self.parameter(&access.component.name()));
                 }
+                if let Some(own) = self.taken_apart(&self.typing.of(&access.base)?) {
+                    return self.member(&access.base, &own, &access.component.name());
+                }
                 let base = self.expression(&access.base, None)?;
                 Ok(format!("{base}.{}", self.name(&access.component.name())))
             }
-            Expression::Indexing(indexing) => {
-                let base = self.expression(&indexing.base, None)?;
-                let index = self.expression(&indexing.index, Some(Scalar::I32))?;
-                Ok(format!("{base}[{index}]"))
-            }
+            Expression::Indexing(indexing) => self.element(indexing),
             Expression::Unary(unary) => self.unary(unary, wanted),
             Expression::Binary(binary) => self.binary(binary, wanted),
             Expression::FunctionCall(call) => self.call(call),
-            Expression::TypeOrIdentifier(name) => Ok(self.name(&name.ident.name())),
+            Expression::TypeOrIdentifier(name) => Ok(self.variable(&name.ident.name())),
         }
+    }
+
+    fn element(&mut self, indexing: &IndexingExpression) -> Text {
+        let base = self.expression(&indexing.base, None)?;
+        let index = self.expression(&indexing.index, Some(Scalar::I32))?;
+        let is_constant = matches!(indexing.base.node(), Expression::TypeOrIdentifier(name) if self.typing.is_global(&name.ident.name()));
+        if is_constant && !self.dialect.has_constant_arrays() {
+            let is_signed = self.typing.of(&indexing.index)?.scalar().map(Scalar::concrete) == Some(Scalar::I32);
+            return Ok(if is_signed { format!("{base}({index})") } else { format!("{base}(int({index}))") });
+        }
+        Ok(format!("{base}[{index}]"))
     }
 
     fn parameter(&self, name: &str) -> String {
@@ -52,11 +62,11 @@ impl Writer<'_> {
         let written = &self.wgsl[node.span().range()];
         match literal {
             LiteralExpression::Bool(value) => value.to_string(),
-            LiteralExpression::U32(_) => written.to_owned(),
+            LiteralExpression::U32(_) => self.unsigned(written.trim_end_matches('u')),
             LiteralExpression::I32(_) => written.trim_end_matches('i').to_owned(),
             LiteralExpression::AbstractInt(_) => match wanted {
                 Some(Scalar::F32 | Scalar::AbstractFloat) => format!("{written}.0"),
-                Some(Scalar::U32) => format!("{written}u"),
+                Some(Scalar::U32) => self.unsigned(written),
                 _ => written.to_owned(),
             },
             LiteralExpression::AbstractFloat(_) | LiteralExpression::F32(_) | LiteralExpression::F16(_) => {
@@ -66,11 +76,22 @@ impl Writer<'_> {
         }
     }
 
+    fn unsigned(&self, digits: &str) -> String {
+        if self.dialect == Dialect::Godot3 { format!("uint({digits})") } else { format!("{digits}u") }
+    }
+
     fn unary(&mut self, unary: &UnaryExpression, wanted: Option<Scalar>) -> Text {
+        // Godot 3 leaves out parentheses and spaces when it writes GLSL: two signs would be a decrement.
+        if self.dialect == Dialect::Godot3
+            && unary.operator == UnaryOperator::Negation
+            && let Some(inner) = negation(&unary.operand)
+        {
+            return self.expression(&inner.operand, wanted);
+        }
         let is_vector = self.typing.of(&unary.operand)?.is_vector();
         let operand = self.expression(&unary.operand, wanted)?;
         Ok(match unary.operator {
-            UnaryOperator::LogicalNegation if self.dialect == Dialect::Glsl && is_vector => format!("not({operand})"),
+            UnaryOperator::LogicalNegation if self.dialect.is_glsl() && is_vector => format!("not({operand})"),
             UnaryOperator::LogicalNegation => format!("!{operand}"),
             UnaryOperator::BitwiseComplement => format!("~{operand}"),
             UnaryOperator::Negation if operand.starts_with('-') => format!("-({operand})"),
@@ -89,12 +110,17 @@ impl Writer<'_> {
             _ => wanted,
         };
         let left = self.expression(&binary.left, both)?;
+        if binary.operator == BinaryOperator::Subtraction
+            && let Some(negation) = negation(&binary.right)
+            && self.dialect == Dialect::Godot3
+        {
+            return Ok(format!("{left} + {}", self.expression(&negation.operand, both)?));
+        }
         let right = self.expression(&binary.right, both)?;
         let is_vector = left_type.is_vector() || right_type.is_vector();
         let is_bool = left_type.scalar() == Some(Scalar::Bool);
         use BinaryOperator as B;
-        if let Some(function) = glsl_comparison(binary.operator).filter(|_| is_vector && self.dialect == Dialect::Glsl)
-        {
+        if let Some(function) = glsl_comparison(binary.operator).filter(|_| is_vector && self.dialect.is_glsl()) {
             return Ok(format!("{function}({left}, {right})"));
         }
         if binary.operator == B::Multiplication && self.dialect == Dialect::Hlsl {
@@ -121,7 +147,7 @@ impl Writer<'_> {
         Ok(format!("{left} {operator} {right}"))
     }
 
-    fn call(&mut self, call: &FunctionCall) -> Text {
+    pub(super) fn call(&mut self, call: &FunctionCall) -> Text {
         let name = call.ty.ident.name().clone();
         if let Some(signature) = self.typing.function(&name).cloned() {
             let mut arguments = Vec::with_capacity(call.arguments.len() + 1);
@@ -129,7 +155,10 @@ impl Writer<'_> {
                 arguments.push(PARAMETERS.to_owned());
             }
             for (argument, ty) in call.arguments.iter().zip(&signature.parameters) {
-                arguments.push(self.expression(argument, ty.scalar())?);
+                match self.taken_apart(ty) {
+                    Some(own) => arguments.extend(self.members(argument, &own)?),
+                    None => arguments.push(self.expression(argument, ty.scalar())?),
+                }
             }
             return Ok(format!("{}({})", self.name(&name), arguments.join(", ")));
         }
@@ -164,7 +193,7 @@ impl Writer<'_> {
             return Ok(format!("({which} ? {yes} : {no})"));
         }
         match self.dialect {
-            Dialect::Glsl => Ok(format!("mix({no}, {yes}, {which})")),
+            Dialect::Glsl | Dialect::Godot4 | Dialect::Godot3 => Ok(format!("mix({no}, {yes}, {which})")),
             Dialect::Metal => Ok(format!("select({no}, {yes}, {which})")),
             Dialect::Hlsl => {
                 self.needs_pick.insert(types[2].width());
@@ -184,9 +213,9 @@ impl Writer<'_> {
                     arguments.iter().zip(members).map(|(argument, wanted)| self.expression(argument, wanted)).collect();
                 let texts = texts?.join(", ");
                 match self.dialect {
-                    Dialect::Glsl => Ok(format!("{name}({texts})")),
                     Dialect::Metal => Ok(format!("{name}{{{texts}}}")),
                     Dialect::Hlsl => Ok(format!("new_{name}({texts})")),
+                    _ => Ok(format!("{name}({texts})")),
                 }
             }
             Type::Array(element, count) => {
@@ -194,8 +223,8 @@ impl Writer<'_> {
                     arguments.iter().map(|argument| self.expression(argument, element.scalar())).collect();
                 let texts = texts?.join(",\n    ");
                 match self.dialect {
-                    Dialect::Glsl => Ok(format!("{name}[{count}](\n    {texts}\n)")),
                     Dialect::Hlsl | Dialect::Metal => Ok(format!("{{\n    {texts}\n}}")),
+                    _ => Ok(format!("{name}[{count}](\n    {texts}\n)")),
                 }
             }
             _ => {
@@ -243,13 +272,22 @@ impl Writer<'_> {
                 let zeros: Result<Vec<String>, _> = members.iter().map(|member| self.zero(member)).collect();
                 let zeros = zeros?.join(", ");
                 Ok(match self.dialect {
-                    Dialect::Glsl => format!("{name}({zeros})"),
                     Dialect::Metal => format!("{name}{{{zeros}}}"),
                     Dialect::Hlsl => format!("new_{name}({zeros})"),
+                    _ => format!("{name}({zeros})"),
                 })
             }
             other => Err(TranslationError::unsupported(format!("a variable of type {other} without a value"))),
         }
+    }
+}
+
+/// What an expression is the negation of, whatever parentheses are around it.
+fn negation(node: &ExpressionNode) -> Option<&UnaryExpression> {
+    match node.node() {
+        Expression::Parenthesized(inner) => negation(&inner.expression),
+        Expression::Unary(unary) if unary.operator == UnaryOperator::Negation => Some(unary),
+        _ => None,
     }
 }
 

@@ -7,7 +7,7 @@ use wgsl_parse::syntax::{
 
 use super::comments::{Comment, comments, follows_blank_line};
 use super::reach::{PARAMETERS, readers};
-use super::types::{Scalar, Type};
+use super::types::Type;
 use super::typing::Typing;
 use super::{Dialect, Parameters, TranslationError};
 
@@ -29,8 +29,10 @@ pub(super) struct Writer<'a> {
     next_comment: usize,
     text: String,
     depth: usize,
-    /// What the result of the function being written is made of.
-    pub(super) returns: Option<Scalar>,
+    /// What the function being written returns.
+    pub(super) returns: Type,
+    /// Lines that have to stand before the next one.
+    pub(super) hoisted: Vec<String>,
 }
 
 impl<'a> Writer<'a> {
@@ -51,7 +53,8 @@ impl<'a> Writer<'a> {
             next_comment: 0,
             text: String::new(),
             depth: 0,
-            returns: None,
+            returns: Type::Nothing,
+            hoisted: Vec::new(),
         })
     }
 
@@ -78,6 +81,13 @@ impl<'a> Writer<'a> {
             GlobalDeclaration::Struct(declared) if *declared.ident.name() == PARAMETERS_STRUCT => {
                 self.skip_comments(span.end);
             }
+            GlobalDeclaration::Struct(declared) if !self.dialect.has_structs() => {
+                let members = self.typing.members(&declared.ident.name()).unwrap_or_default();
+                if members.iter().any(|(_, ty)| ty.scalar().is_none()) {
+                    return Err(TranslationError::unsupported("a struct of other structs or arrays"));
+                }
+                self.skip_comments(span.end);
+            }
             GlobalDeclaration::Struct(declared) => {
                 self.comments_of(span.start);
                 self.structure(declared, span.end)?;
@@ -101,8 +111,16 @@ impl<'a> Writer<'a> {
             None => self.typing.of(value)?.concrete(),
         };
         let value = self.expression(value, ty.scalar())?;
-        let declarator = self.declarator(&ty, &name);
-        self.line(&format!("{} {declarator} = {value};", self.dialect.constant()));
+        let declarator = self.declarator(&ty, &self.name(&name));
+        match &ty {
+            Type::Array(element, _) if !self.dialect.has_constant_arrays() => {
+                // A function that answers what is at an index.
+                let head = format!("{} {}(int i)", self.dialect.type_name(element), self.name(&name));
+                let rows = declarator.replacen(&self.name(&name), "rows", 1);
+                self.line(&format!("{head} {{\n    const {rows} = {value};\n    return rows[i];\n}}"));
+            }
+            _ => self.line(&format!("{} {declarator} = {value};", self.dialect.constant())),
+        }
         Ok(())
     }
 
@@ -113,7 +131,7 @@ impl<'a> Writer<'a> {
         for member in &declared.members {
             self.comments_before(member.span().start);
             let ty = self.typing.written(&member.ty)?;
-            let declarator = self.declarator(&ty, &member.ident.name());
+            let declarator = self.declarator(&ty, &self.name(&member.ident.name()));
             self.line(&format!("{declarator};"));
             self.comment_behind(member.span().end);
         }
@@ -151,30 +169,64 @@ impl<'a> Writer<'a> {
         }
         for parameter in &function.parameters {
             let ty = self.typing.written(&parameter.ty)?;
-            let own = parameter.ident.name().clone();
-            parameters.push(self.declarator(&ty, &own));
-            self.typing.declare(&own, ty);
+            let name = parameter.ident.name().clone();
+            match self.taken_apart(&ty) {
+                Some(own) => {
+                    self.declare(&name, ty);
+                    parameters.extend(self.members_of(&name, &own).iter().map(|(ty, name)| self.declarator(ty, name)));
+                }
+                None => {
+                    let own = self.declare(&name, ty.clone());
+                    parameters.push(self.declarator(&ty, &own));
+                }
+            }
         }
         let result = match &function.return_type {
             Some(ty) => self.typing.written(ty)?,
             None => Type::Nothing,
         };
-        let head = format!("{} {}", self.dialect.type_name(&result), self.name(&name));
-        self.line(&format!("{head}({}) {{", parameters.join(", ")));
-        self.returns = result.scalar();
+        let result_name = match self.taken_apart(&result) {
+            Some(own) => {
+                let made = self.results(&own);
+                parameters.extend(made.iter().map(|(ty, name)| format!("out {}", self.declarator(ty, name))));
+                "void".to_owned()
+            }
+            None => self.dialect.type_name(&result),
+        };
+        self.line(&format!("{result_name} {}({}) {{", self.name(&name), parameters.join(", ")));
+        self.returns = result;
         self.block(&function.body, end)?;
         self.line("}");
         self.typing.close();
         Ok(())
     }
 
-    /// A type and a name, as declarations have them.
+    /// A type and a name of the written text, as declarations have them.
     pub(super) fn declarator(&self, ty: &Type, name: &str) -> String {
-        let (type_name, name) = (self.dialect.type_name(ty), self.name(name));
+        let type_name = self.dialect.type_name(ty);
         match ty {
             Type::Array(_, count) => format!("{type_name} {name}[{count}]"),
             _ => format!("{type_name} {name}"),
         }
+    }
+
+    /// Declares a variable, and says what the written text calls it.
+    pub(super) fn declare(&mut self, name: &str, ty: Type) -> String {
+        let own = self.name(name);
+        if !self.dialect.is_godot() || !self.typing.is_visible(&own) {
+            self.typing.declare(name, ty);
+            return own;
+        }
+        // Nothing that is visible may be hidden: `light_2` within what is in sight of another `light`.
+        let free = (2..).map(|number| format!("{name}_{number}")).find(|free| !self.typing.is_visible(free));
+        let own = free.unwrap_or(own);
+        self.typing.declare_as(name, ty, Some(own.clone()));
+        own
+    }
+
+    /// What the written text calls a variable.
+    pub(super) fn variable(&self, name: &str) -> String {
+        self.typing.alias(name).map_or_else(|| self.name(name), str::to_owned)
     }
 
     /// A name of the text, which may be a word of the language.
@@ -195,6 +247,9 @@ impl<'a> Writer<'a> {
 
     /// Writes a line, or the lines of a text.
     pub(super) fn line(&mut self, text: &str) {
+        for hoisted in std::mem::take(&mut self.hoisted) {
+            self.line(&hoisted);
+        }
         if text.is_empty() {
             self.text.push('\n');
         }

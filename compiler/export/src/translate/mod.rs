@@ -12,6 +12,7 @@ mod comments;
 mod dialect;
 mod expression;
 mod layout;
+mod members;
 mod reach;
 mod statement;
 mod types;

@@ -1,8 +1,8 @@
 //! Statements.
 
 use wgsl_parse::syntax::{
-    AssignmentStatement, CaseSelector, CompoundStatement, Declaration, DeclarationKind, ForStatement, IfStatement,
-    LoopStatement, Statement, StatementNode, SwitchStatement,
+    AssignmentStatement, CaseSelector, CompoundStatement, Declaration, DeclarationKind, ExpressionNode, ForStatement,
+    IfStatement, LoopStatement, Statement, StatementNode, SwitchStatement,
 };
 
 use super::layout::Writer;
@@ -46,7 +46,7 @@ impl Writer<'_> {
             Statement::For(statement) => self.counted_loop(statement, end)?,
             Statement::While(statement) => {
                 let condition = self.expression(&statement.condition, None)?;
-                self.loop_head(&format!("while ({condition}) {{"));
+                self.loop_head(&format!("while ({condition}) {{"))?;
                 self.block(&statement.body, end)?;
                 self.line("}");
             }
@@ -73,10 +73,7 @@ impl Writer<'_> {
             Statement::Discard(_) if self.dialect == Dialect::Metal => Ok("discard_fragment()".to_owned()),
             Statement::Discard(_) => Ok("discard".to_owned()),
             Statement::Return(statement) => match &statement.expression {
-                Some(value) => {
-                    let wanted = self.returns;
-                    Ok(format!("return {}", self.expression(value, wanted)?))
-                }
+                Some(value) => self.returned(value),
                 None => Ok("return".to_owned()),
             },
             other => Err(TranslationError::unsupported(format!("the statement {other}"))),
@@ -90,18 +87,25 @@ impl Writer<'_> {
             (None, Some(value)) => self.typing.of(value)?.concrete(),
             (None, None) => return Err(TranslationError::unsupported("a variable without a type")),
         };
+        if let Some(own) = self.taken_apart(&ty) {
+            return self.local_members(&name, &own, declared.initializer.as_ref());
+        }
         let value = match &declared.initializer {
             Some(value) => self.expression(value, ty.scalar())?,
             None => self.zero(&ty)?,
         };
-        let declarator = self.declarator(&ty, &name);
-        self.typing.declare(&name, ty);
+        let own = self.declare(&name, ty.clone());
+        let declarator = self.declarator(&ty, &own);
         let constant = if declared.kind == DeclarationKind::Const { "const " } else { "" };
         Ok(format!("{constant}{declarator} = {value}"))
     }
 
     fn assignment(&mut self, assignment: &AssignmentStatement) -> Result<String, TranslationError> {
-        let wanted = self.typing.of(&assignment.lhs)?.scalar();
+        let ty = self.typing.of(&assignment.lhs)?;
+        if let Some(own) = self.taken_apart(&ty) {
+            return self.members_assigned(&assignment.lhs, &own, &assignment.rhs);
+        }
+        let wanted = ty.scalar();
         let left = self.expression(&assignment.lhs, None)?;
         let right = self.expression(&assignment.rhs, wanted)?;
         Ok(format!("{left} {} {right}", assignment.operator))
@@ -113,6 +117,7 @@ impl Writer<'_> {
         self.block(&statement.if_clause.body, self.start_of(&statement.else_if_clauses, end))?;
         for (index, clause) in statement.else_if_clauses.iter().enumerate() {
             let condition = self.expression(&clause.expression, None)?;
+            self.refuse_hoisted()?;
             self.line(&format!("}} else if ({condition}) {{"));
             let next = self.start_of(&statement.else_if_clauses[index + 1..], end);
             self.block(&clause.body, next)?;
@@ -142,7 +147,7 @@ impl Writer<'_> {
             None => String::new(),
         };
         let update = part(&statement.update, self)?;
-        self.loop_head(&format!("for ({start}; {condition}; {update}) {{"));
+        self.loop_head(&format!("for ({start}; {condition}; {update}) {{"))?;
         self.block(&statement.body, end)?;
         self.line("}");
         self.typing.close();
@@ -174,7 +179,13 @@ impl Writer<'_> {
             }
             None => String::new(),
         };
-        self.loop_head(&format!("for (; {condition}; {update}) {{"));
+        match self.dialect.is_godot() {
+            // Its loops with `for` have to declare a variable.
+            true if !update.is_empty() => return Err(TranslationError::unsupported("a loop without a variable")),
+            true if condition.is_empty() => self.loop_head("while (true) {")?,
+            true => self.loop_head(&format!("while ({condition}) {{"))?,
+            false => self.loop_head(&format!("for (; {condition}; {update}) {{"))?,
+        }
         let body = CompoundStatement { attributes: Vec::new(), statements: rest.to_vec() };
         self.block(&body, end)?;
         self.line("}");
@@ -208,17 +219,27 @@ impl Writer<'_> {
     }
 
     /// HLSL's compilers unroll loops unless they are told not to.
-    fn loop_head(&mut self, head: &str) {
+    fn loop_head(&mut self, head: &str) -> Done {
+        self.refuse_hoisted()?;
         if self.dialect == Dialect::Hlsl {
             self.line("[loop]");
         }
         self.line(head);
+        Ok(())
+    }
+
+    fn returned(&mut self, value: &ExpressionNode) -> Result<String, TranslationError> {
+        let result = self.returns.clone();
+        if let Some(own) = self.taken_apart(&result) {
+            return self.members_returned(&own, value);
+        }
+        Ok(format!("return {}", self.expression(value, result.scalar())?))
     }
 }
 
 /// What has to be true for a loop to go on, if this statement is what ends it: `if condition { break; }`, or with the
 /// `break` in an otherwise empty `else`. And whether the condition says so itself.
-fn going_on(node: &StatementNode) -> Option<Option<(bool, &wgsl_parse::syntax::ExpressionNode)>> {
+fn going_on(node: &StatementNode) -> Option<Option<(bool, &ExpressionNode)>> {
     let Statement::If(statement) = node.node() else { return None };
     if !statement.else_if_clauses.is_empty() {
         return None;

@@ -14,7 +14,14 @@ pub(crate) struct Typing {
     functions: FxHashMap<String, Signature>,
     structs: FxHashMap<String, Vec<(String, Type)>>,
     /// Constants and variables: those of the text, then those of each block that is open.
-    scopes: Vec<FxHashMap<String, Type>>,
+    scopes: Vec<FxHashMap<String, Variable>>,
+}
+
+/// A constant or a variable.
+struct Variable {
+    ty: Type,
+    /// What the written text calls it, if not by its own name.
+    alias: Option<String>,
 }
 
 /// What a function takes and returns.
@@ -82,8 +89,13 @@ impl Typing {
 
     /// Declares a name in the innermost block.
     pub(crate) fn declare(&mut self, name: &str, ty: Type) {
+        self.declare_as(name, ty, None);
+    }
+
+    /// The same, with another name in the written text.
+    pub(crate) fn declare_as(&mut self, name: &str, ty: Type, alias: Option<String>) {
         if let Some(scope) = self.scopes.last_mut() {
-            scope.insert(name.to_owned(), ty);
+            scope.insert(name.to_owned(), Variable { ty, alias });
         }
     }
 
@@ -97,7 +109,25 @@ impl Typing {
         self.structs.get(name).map(Vec::as_slice)
     }
 
-    fn variable(&self, name: &str) -> Option<&Type> {
+    /// What the written text calls a variable, if not by its own name.
+    pub(crate) fn alias(&self, name: &str) -> Option<&str> {
+        self.variable(name)?.alias.as_deref()
+    }
+
+    /// Whether a name, or an alias, stands for anything here.
+    pub(crate) fn is_visible(&self, name: &str) -> bool {
+        let is_alias = |variable: &Variable| variable.alias.as_deref() == Some(name);
+        self.variable(name).is_some()
+            || self.functions.contains_key(name)
+            || self.scopes.iter().any(|scope| scope.values().any(is_alias))
+    }
+
+    /// Whether a name stands for a constant of the text, not for a variable of a function.
+    pub(crate) fn is_global(&self, name: &str) -> bool {
+        self.scopes[1..].iter().all(|scope| !scope.contains_key(name)) && self.scopes[0].contains_key(name)
+    }
+
+    fn variable(&self, name: &str) -> Option<&Variable> {
         self.scopes.iter().rev().find_map(|scope| scope.get(name))
     }
 
@@ -162,7 +192,7 @@ impl Typing {
             Expression::TypeOrIdentifier(name) => {
                 let name = name.ident.name();
                 let unknown = || TranslationError::unsupported(format!("the name {name}"));
-                self.variable(&name).cloned().ok_or_else(unknown)
+                self.variable(&name).map(|variable| variable.ty.clone()).ok_or_else(unknown)
             }
         }
     }

@@ -87,6 +87,8 @@ fn format(target: Target, program: bool) -> Format {
         Target::GlslViewer => package(Package::GlslViewer),
         Target::WebGl => package(Package::WebGl),
         Target::WebGpu => package(Package::WebGpu),
+        Target::Godot => package(Package::Godot4),
+        Target::Godot3 => package(Package::Godot3),
         Target::Bevy => package(Package::Bevy),
         Target::Blender => package(Package::Blender),
         Target::Isf => package(Package::Isf),

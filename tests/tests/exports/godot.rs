@@ -1,0 +1,131 @@
+//! Godot's shaders as GLSL, which glslang compiles, and the rules that GLSL doesn't have.
+
+use std::collections::HashSet;
+
+use chiaro_compiler::export::{Package, Target};
+
+use super::support::{Stage, compiled_by_glslang, examples, text_at};
+
+#[test]
+fn godots_shaders_compile() {
+    for example in examples() {
+        for (package, ending) in [(Package::Godot4, "gdshader"), (Package::Godot3, "shader")] {
+            let files = example.export(Target::Package(package)).unwrap();
+            for kind in ["solid", "picture"] {
+                let shader = text_at(&files, &format!("_{kind}.{ending}"));
+                assert_eq!(hidden_names(&shader), Vec::<String>::new(), "{}", example.name);
+                if package == Package::Godot3 {
+                    // It has neither structs nor spaces between the signs of what it writes.
+                    assert!(!shader.contains("\nstruct ") && !shader.contains(" - -"), "{}", example.name);
+                }
+                // The pass itself is that of GLSL programs, which all examples are compiled as.
+                if kind == "solid" || example.name == "mug" {
+                    compiled_by_glslang(&example.name, &as_glsl(&shader, false), Stage::Fragment);
+                    compiled_by_glslang(&example.name, &as_glsl(&shader, true), Stage::Fragment);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn hidden_names_are_found() {
+    let shader = "float sky(float x) {\n    return x;\n}\nvoid f(vec3 p) {\n    for (int i = 0; i < 3; i++) {\n        \
+                  float sky = 1.0; // vec3 p\n    }\n    for (int i = 0; i < 3; i++) {\n        vec3 p = p;\n    }\n}\n";
+    assert_eq!(hidden_names(shader), ["sky", "p"]);
+}
+
+/// The built-in variables that our shaders use, of both versions.
+const BUILT_IN: &str = "\
+    const float TIME = 0.0;\nconst bool OUTPUT_IS_SRGB = false;\nconst vec4 FRAGCOORD = vec4(0.5);\n\
+    const vec2 SCREEN_UV = vec2(0.5), VIEWPORT_SIZE = vec2(320.0, 240.0);\n\
+    const mat4 MODELVIEW_MATRIX = mat4(1.0), PROJECTION_MATRIX = mat4(1.0), INV_PROJECTION_MATRIX = mat4(1.0);\n\
+    const mat4 VIEW_MATRIX = mat4(1.0), MODEL_MATRIX = mat4(1.0), WORLD_MATRIX = mat4(1.0), INV_CAMERA_MATRIX = mat4(1.0);\n\
+    vec3 VERTEX, LIGHT_VERTEX, NORMAL, ALBEDO, EMISSION;\nvec4 POSITION;\nfloat ROUGHNESS, METALLIC, DEPTH;\n\
+    layout(location = 0) out vec4 pixel;\n";
+
+/// Calls both entry points, and uses what they write.
+const MAIN: &str = "\nvoid main() {\n    vertex();\n    fragment();\n    \
+    pixel = vec4(VERTEX + LIGHT_VERTEX + NORMAL + ALBEDO + EMISSION, ROUGHNESS + METALLIC + DEPTH) + POSITION;\n}\n";
+
+/// A shader as a fragment shader in GLSL, with live numbers as constants; before Godot 4.4, or from then on.
+fn as_glsl(shader: &str, is_new: bool) -> String {
+    let renderer = if is_new { "#define CURRENT_RENDERER 1\n" } else { "" };
+    let body: String = shader.lines().map(|line| glsl_line(line) + "\n").collect();
+    ["#version 450\n", renderer, BUILT_IN, &body, MAIN].concat()
+}
+
+fn glsl_line(line: &str) -> String {
+    if line.starts_with("shader_type ") || line.starts_with("render_mode ") {
+        return String::new();
+    }
+    if let Some((declared, default)) = line.strip_prefix("uniform ").and_then(|rest| rest.split_once(" = ")) {
+        let name = declared.split(" : ").next().unwrap_or(declared);
+        return format!("const {name} = {default}");
+    }
+    line.strip_prefix("varying ").unwrap_or(line).to_owned()
+}
+
+/// The variables whose names something else has that is visible there, which Godot refuses.
+fn hidden_names(shader: &str) -> Vec<String> {
+    let tokens = tokens(shader);
+    let mut types: HashSet<&str> = TYPES.into_iter().collect();
+    types.extend(tokens.windows(2).filter(|pair| pair[0] == "struct").map(|pair| pair[1]));
+    let mut scopes: Vec<HashSet<&str>> = vec![HashSet::new()];
+    // Parameters and a loop's variable are in the block that follows.
+    let mut is_open = false;
+    let mut in_struct = false;
+    let mut hidden = Vec::new();
+    for window in tokens.windows(3) {
+        let [first, name, behind] = [window[0], window[1], window[2]];
+        match first {
+            "struct" => in_struct = true,
+            "}" if in_struct => in_struct = false,
+            "{" if in_struct => {}
+            "{" if is_open => is_open = false,
+            "{" => scopes.push(HashSet::new()),
+            "}" => drop(scopes.pop()),
+            "for" => {
+                scopes.push(HashSet::new());
+                is_open = true;
+            }
+            _ if in_struct || !types.contains(first) || !["=", ";", ",", ")", "[", "("].contains(&behind) => {}
+            _ if !name.starts_with(|c: char| c.is_ascii_alphabetic()) => {}
+            _ => {
+                let is_function = behind == "(" && scopes.len() == 1;
+                if scopes.iter().any(|scope| scope.contains(name)) {
+                    hidden.push(name.to_owned());
+                }
+                if let Some(scope) = scopes.last_mut() {
+                    scope.insert(name);
+                }
+                if is_function {
+                    scopes.push(HashSet::new());
+                    is_open = true;
+                }
+            }
+        }
+    }
+    hidden
+}
+
+const TYPES: [&str; 20] = [
+    "bool", "bvec2", "bvec3", "bvec4", "int", "ivec2", "ivec3", "ivec4", "uint", "uvec2", "uvec3", "uvec4", "float",
+    "vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "void",
+];
+
+/// Words and signs, without comments.
+fn tokens(text: &str) -> Vec<&str> {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let mut tokens = Vec::new();
+    for line in text.lines() {
+        let mut rest = line.split_once("//").map_or(line, |(code, _)| code).trim_start();
+        while let Some(first) = rest.chars().next() {
+            let length =
+                if is_part(first) { rest.find(|c| !is_part(c)).unwrap_or(rest.len()) } else { first.len_utf8() };
+            tokens.push(&rest[..length]);
+            rest = rest[length..].trim_start();
+        }
+    }
+    tokens
+}
