@@ -50,6 +50,9 @@ impl Format {
         Format::Shader(Target::Package(Package::WebGl)),
         Format::Shader(Target::Package(Package::WebGpu)),
         Format::Shader(Target::Package(Package::Isf)),
+        Format::Shader(Target::Package(Package::Three)),
+        Format::Shader(Target::Package(Package::Godot4)),
+        Format::Shader(Target::Package(Package::Godot3)),
         Format::Shader(Target::Package(Package::Bevy)),
         Format::Shader(Target::Package(Package::Blender)),
         Format::Shader(Target::Package(Package::Unity)),
@@ -126,6 +129,9 @@ fn package_name(package: Package) -> &'static str {
         Package::GlslViewer => "glslViewer",
         Package::WebGl => "Web page, WebGL 2",
         Package::WebGpu => "Web page, WebGPU",
+        Package::Three => "three.js, a folder",
+        Package::Godot4 => "Godot 4, a folder",
+        Package::Godot3 => "Godot 3, a folder",
         Package::Bevy => "Bevy, a crate",
         Package::Blender => "Blender, a mesh with lights",
         Package::Isf => "Interactive Shader Format",
@@ -139,6 +145,12 @@ fn package_ending(package: Package) -> Option<&'static str> {
         Package::Shadertoy | Package::GlslViewer => Some("frag"),
         Package::WebGl | Package::WebGpu => Some("html"),
         Package::Isf => Some("fs"),
-        Package::Bevy | Package::Blender | Package::Unity | Package::Unreal => None,
+        Package::Three
+        | Package::Godot4
+        | Package::Godot3
+        | Package::Bevy
+        | Package::Blender
+        | Package::Unity
+        | Package::Unreal => None,
     }
 }
