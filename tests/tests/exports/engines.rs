@@ -80,8 +80,8 @@ fn modules_for_three_are_shader_code_between_backticks() {
         ("#include <common>", "bool isPerspectiveMatrix(mat4 m) { return m[2][3] == -1.0; }\n"),
         ("#include <colorspace_fragment>", ""),
     ];
-    let before = "#version 300 es\n#define varying in\n#define gl_FragColor pixel\nprecision highp float;\n\
-                  precision highp int;\nout vec4 pixel;\n";
+    let before = "#version 300 es\n#define varying in\n#define gl_FragColor shown_color\nprecision highp float;\n\
+                  precision highp int;\nout vec4 shown_color;\n";
     for example in examples() {
         let files = example.export(Target::Package(Package::Three)).unwrap();
         let name = &example.name;
