@@ -39,6 +39,7 @@ export class {{ type_name }} extends Mesh {
 /** A material that shades the scene's surface in the place of the box's. */
 function traced() {
     const live = PARAMETERS.map(({ name }) => uniform(0).onObjectUpdate(({ object }) => object.parameters[name]));
+    // The box's own point stays the vertex shader's, whatever the context below says of positions.
     const onBox = positionGeometry.context({ inlineVaryings: false });
     const hit = sceneSeen(onBox, modelViewMatrix, modelViewMatrix.inverse(), cameraProjectionMatrix, ...live).toVar("sceneHit");
     const normal = sceneFacing(hit).toVar("sceneNormal");
