@@ -35,6 +35,9 @@ fn hidden_names_are_found() {
     assert_eq!(hidden_names(shader), ["sky", "p"]);
 }
 
+/// The version whose types are as strict as Godot's: no number becomes another kind by itself.
+const HEAD: &str = "#version 310 es\nprecision highp float;\nprecision highp int;\n";
+
 /// The built-in variables that our shaders use, of both versions.
 const BUILT_IN: &str = "\
     const float TIME = 0.0;\nconst bool OUTPUT_IS_SRGB = false;\nconst vec4 FRAGCOORD = vec4(0.5);\n\
@@ -52,7 +55,7 @@ const MAIN: &str = "\nvoid main() {\n    vertex();\n    fragment();\n    \
 fn as_glsl(shader: &str, is_new: bool) -> String {
     let renderer = if is_new { "#define CURRENT_RENDERER 1\n" } else { "" };
     let body: String = shader.lines().map(|line| glsl_line(line) + "\n").collect();
-    ["#version 450\n", renderer, BUILT_IN, &body, MAIN].concat()
+    [HEAD, renderer, BUILT_IN, &body, MAIN].concat()
 }
 
 fn glsl_line(line: &str) -> String {
