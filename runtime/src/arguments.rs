@@ -156,11 +156,6 @@ pub(crate) struct Render {
     #[arg(long, value_name = "N", default_value_t = 19, value_parser = clap::value_parser!(u32).range(1..=64))]
     pub(crate) shadow_cells: u32,
 
-    /// Go through the parts of large unions in loops, by cells that tell which are near, in the place of code for each
-    /// part: for scenes of hundreds to thousands of parts that are side by side. Many in one place take long.
-    #[arg(long)]
-    pub(crate) crowds: bool,
-
     /// Leave out the floor below the scene.
     #[arg(long)]
     pub(crate) no_floor: bool,

@@ -34,13 +34,13 @@ fn main() {
     let counts = if counts.is_empty() { vec![64, 100, 1_000, 10_000, 100_000] } else { counts };
     for count in counts {
         let (scene, compiling) = timed(|| compiled(&mixed(count, 1)));
-        let crowds = Crowds::of(&scene.graph);
-        let (data, pruning) = timed(|| shader::CrowdData::of(&scene.graph, &crowds, &[]));
-        let looped = drawn(&gpu, &scene.graph, Model::looped);
+        let mut crowds = Crowds::of(&scene.graph);
+        let (data, pruning) = timed(|| shader::CrowdData::of(&scene.graph, &mut crowds, &[]));
+        let looped = drawn(&gpu, &scene.graph, Model::new);
         let moved = compiled(&mixed(count, 2));
-        let moving = drawn(&gpu, &moved.graph, Model::looped);
+        let moving = drawn(&gpu, &moved.graph, Model::new);
         let unrolled = match count <= MOST_UNROLLED {
-            true => drawn(&gpu, &scene.graph, Model::new).map(|time| format!("{time:9.0}")),
+            true => drawn(&gpu, &scene.graph, Model::unrolled).map(|time| format!("{time:9.0}")),
             false => [(); 3].map(|()| format!("{:>9}", "-")),
         };
         println!(

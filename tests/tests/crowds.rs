@@ -5,7 +5,7 @@ use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use chiaro_compiler::field::{Crowds, Evaluator, Graph};
 use chiaro_compiler::vocabulary::Bounds;
 use chiaro_compiler::{Options, Scene, compile};
-use chiaro_render::{Gpu, Model, Picture, Preference, View, distances_looped};
+use chiaro_render::{Error, Gpu, Model, Picture, Preference, View, distances};
 use chiaro_tests::MemoryWorld;
 use chiaro_tests::sampling::Random;
 
@@ -69,11 +69,11 @@ fn check_distances(scene: &Scene, parameters: &[f64], count: usize) {
     let mut random = Random::new(7);
     let points: Vec<[f64; 3]> =
         (0..count).map(|i| random.point(&if i % 3 > 0 { near } else { bounds.inflate(2.0 * size) })).collect();
-    let found = distances_looped(&gpu(), &scene.graph, parameters, &points).unwrap();
+    let found = distances(&gpu(), &scene.graph, parameters, &points).unwrap();
     for (point, found) in points.iter().zip(found) {
         let (found, value) = (f64::from(found), evaluator.distance(*point));
         let rounding = 2e-6 * (size + value.abs());
-        if near.distance(*point) == 0.0 {
+        if bounds.distance(*point) == 0.0 {
             assert!((found - value).abs() <= rounding, "{found} instead of {value} at {point:?}");
         } else {
             assert!(found > 0.0 && found <= value + rounding, "{found}, no bound of {value}, at {point:?}");
@@ -107,7 +107,7 @@ fn cells_follow_live_numbers() {
     }
     // A model's table follows too.
     let gpu = gpu();
-    let model = Model::looped(&gpu, &scene.graph, &[40.0]).unwrap();
+    let model = Model::new(&gpu, &scene.graph, &[40.0]).unwrap();
     let size = [48, 48];
     let high = drawn(&gpu, &model, &scene.graph, size, 1);
     let pipelines = gpu.pipelines_compiled();
@@ -115,7 +115,7 @@ fn cells_follow_live_numbers() {
     let low = drawn(&gpu, &model, &scene.graph, size, 1);
     assert_eq!(gpu.pipelines_compiled(), pipelines);
     assert_ne!(high, low);
-    let anew = drawn(&gpu, &Model::looped(&gpu, &scene.graph, &[5.0]).unwrap(), &scene.graph, size, 1);
+    let anew = drawn(&gpu, &Model::new(&gpu, &scene.graph, &[5.0]).unwrap(), &scene.graph, size, 1);
     assert_eq!(low, anew);
 }
 
@@ -123,7 +123,7 @@ fn cells_follow_live_numbers() {
 fn the_picture_is_that_of_code_for_each_member() {
     let gpu = gpu();
     for scene in [mixed(160), compiled(PLATE)] {
-        let [looped, unrolled] = [Model::looped, Model::new]
+        let [looped, unrolled] = [Model::new, Model::unrolled]
             .map(|model| drawn(&gpu, &model(&gpu, &scene.graph, &[]).unwrap(), &scene.graph, [96, 72], 4));
         let differs = |(a, b): &(&[f32; 4], &[f32; 4])| (0..3).any(|channel| (a[channel] - b[channel]).abs() > 0.05);
         let differing = looped.iter().zip(&unrolled).filter(differs).count();
@@ -140,7 +140,7 @@ fn moving_members_compiles_nothing() {
             for (i = [0 : 99]) translate([places[i], places[i + 100], places[i + 200]])
                 if (i % 2 == 0) sphere(3 + {seed}); else color([0.1, {seed} / 10, 0]) cube(4);"
         ));
-        drawn(&gpu, &Model::looped(&gpu, &scene.graph, &[]).unwrap(), &scene.graph, [48, 36], 1)
+        drawn(&gpu, &Model::new(&gpu, &scene.graph, &[]).unwrap(), &scene.graph, [48, 36], 1)
     };
     let before = of_seed(1);
     let pipelines = gpu.pipelines_compiled();
@@ -153,8 +153,31 @@ fn moving_members_compiles_nothing() {
 fn twenty_thousand_shapes_are_drawn() {
     let scene = mixed(20_000);
     let gpu = gpu();
-    let model = Model::looped(&gpu, &scene.graph, &[]).unwrap();
+    let model = Model::new(&gpu, &scene.graph, &[]).unwrap();
+    assert_eq!(model.notes(&scene.graph), []);
     let picture = drawn(&gpu, &model, &scene.graph, [64, 48], 1);
     let colors = picture.iter().filter(|pixel| (pixel[0] - pixel[2]).abs() > 0.05).count();
     assert!(colors > picture.len() / 20, "{colors} of {} pixels have a colour", picture.len());
+}
+
+#[test]
+fn shapes_that_lie_in_each_other_are_code_for_each_and_that_is_said() {
+    let scene = compiled(
+        "apart = 8; // [0:10]
+        for (i = [0 : 79]) translate([apart * (i % 9), apart * floor(i / 9), i / 100]) sphere(3 + i % 3);",
+    );
+    let gpu = gpu();
+    let model = Model::new(&gpu, &scene.graph, &[8.0]).unwrap();
+    assert_eq!(model.notes(&scene.graph), []);
+    // Cells can't follow them there.
+    let moved = model.set_parameters(&gpu, &[0.0]);
+    assert!(matches!(moved, Err(Error::Dense { members: 80 })), "{moved:?}");
+    model.set_parameters(&gpu, &[7.0]).unwrap();
+
+    let together = Model::new(&gpu, &scene.graph, &[0.0]).unwrap();
+    let notes = together.notes(&scene.graph);
+    assert!(notes.len() == 1 && notes[0].message.contains("80 parts"), "{notes:?}");
+    let picture = drawn(&gpu, &together, &scene.graph, [48, 36], 1);
+    let unrolled = Model::unrolled(&gpu, &scene.graph, &[0.0]).unwrap();
+    assert_eq!(picture, drawn(&gpu, &unrolled, &scene.graph, [48, 36], 1));
 }

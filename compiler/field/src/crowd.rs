@@ -100,6 +100,11 @@ impl Crowds {
         Self { crowds, patterns }
     }
 
+    /// Takes out the crowds of these places, in rising order: their unions are to be asked as any other.
+    pub fn take(&mut self, places: &[usize]) -> Vec<Crowd> {
+        places.iter().rev().map(|place| self.crowds.remove(*place)).collect()
+    }
+
     /// The crowd that this node is.
     pub fn of_node(&self, id: NodeId) -> Option<usize> {
         self.crowds.iter().position(|crowd| crowd.union == id)

@@ -34,13 +34,23 @@ pub struct CrowdData {
 }
 
 impl CrowdData {
-    /// The data of a scene's crowds while the live parameters have certain values.
-    pub fn of(graph: &Graph, crowds: &Crowds, parameters: &[f64]) -> Self {
+    /// The data of a scene's crowds while the live parameters have certain values. Crowds whose members lie in each other,
+    /// so that cells are of no use, leave the others and are answered.
+    pub fn of(graph: &Graph, crowds: &mut Crowds, parameters: &[f64]) -> (Self, Vec<Crowd>) {
+        let cells: Vec<Option<Cells>> =
+            crowds.crowds.iter().map(|crowd| Cells::of(graph, crowd, parameters, room(crowds, crowd))).collect();
+        let dense: Vec<usize> = (0..cells.len()).filter(|crowd| cells[*crowd].is_none()).collect();
+        let dense = crowds.take(&dense);
+        let cells: Vec<Cells> = cells.into_iter().flatten().collect();
+        (Self::with_cells(graph, crowds, &cells, parameters), dense)
+    }
+
+    fn with_cells(graph: &Graph, crowds: &Crowds, cells: &[Cells], parameters: &[f64]) -> Self {
         let mut data = Self { grids: Default::default(), words: Vec::new() };
-        for (crowd, grid) in crowds.crowds.iter().zip(data.grids.chunks_exact_mut(GRID_ROWS)) {
+        let crowds_and_cells = crowds.crowds.iter().zip(cells);
+        for ((crowd, cells), grid) in crowds_and_cells.zip(data.grids.chunks_exact_mut(GRID_ROWS)) {
             let entries = add_rows(&mut data.words, graph, crowds, crowd, parameters);
-            let cells = Cells::of(graph, crowd, parameters, room(crowds, crowd));
-            let first = add_cells(&mut data.words, &cells, &entries) as u32;
+            let first = add_cells(&mut data.words, cells, &entries) as u32;
             let Bounds { min, max } = cells.bounds();
             let ([min_x, min_y, min_z], [max_x, max_y, max_z]) = (min.map(bits), max.map(bits));
             let [count_x, count_y, count_z] = cells.counts;

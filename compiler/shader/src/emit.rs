@@ -91,7 +91,10 @@ fn emit_all<'g>(
 
 /// How many nodes become code.
 fn emitted_nodes(graph: &Graph, crowds: &Crowds) -> usize {
-    let patterns = crowds.patterns.iter().map(|pattern| pattern.graph.nodes.len()).sum::<usize>();
+    let mut patterns: Vec<usize> = crowds.crowds.iter().flat_map(|crowd| crowd.patterns.iter().copied()).collect();
+    patterns.sort_unstable();
+    patterns.dedup();
+    let patterns = patterns.into_iter().map(|pattern| crowds.patterns[pattern].graph.nodes.len()).sum::<usize>();
     let mut is_member = vec![false; graph.nodes.len()];
     for member in crowds.crowds.iter().flat_map(|crowd| &crowd.members) {
         is_member[member.node.0 as usize] = true;

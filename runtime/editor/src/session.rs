@@ -370,6 +370,11 @@ impl Session {
                     shown.provenance = Some(provenance);
                 }
             }
+            Event::Noted { revision, notes } => {
+                if let Some(outcome) = self.outcome.as_mut().filter(|outcome| outcome.revision == revision) {
+                    outcome.diagnostics.extend(notes);
+                }
+            }
             Event::Frame(frame) => {
                 self.drawn = frame.revision;
                 self.frame = Some(frame);

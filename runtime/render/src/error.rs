@@ -52,6 +52,13 @@ pub enum Error {
         /// How large it may be.
         limit: u64,
     },
+    /// Live numbers moved too many parts of a union into each other for the model to follow; one made anew, with the same
+    /// values, draws them.
+    #[error("too many of a union's {members} parts lie in each other now: the scene has to be compiled anew for that")]
+    Dense {
+        /// How many parts there are.
+        members: usize,
+    },
     /// There are fewer values than live numbers refer to.
     #[error("the scene has {needed} live numbers, but {given} values were given")]
     Parameters {

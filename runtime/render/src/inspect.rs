@@ -6,14 +6,13 @@ mod classes;
 mod colors;
 mod legend;
 
-use std::sync::Arc;
 use std::time::Duration;
 
 use bytemuck::pod_collect_to_vec;
 use chiaro_shader::{Inspect, Template};
 use wgpu::{BindGroup, Buffer};
 
-use crate::crowds::CrowdTable;
+use crate::crowds::LargeUnions;
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::kernel::{Slot, buffer, workgroups};
@@ -312,11 +311,8 @@ impl Inspector {
         if self.classes.is_none() {
             let slots = [(0, Slot::Read), (1, Slot::ReadWrite)];
             let graph = classes::painted(&self.model.graph);
-            let crowds = match self.model.is_looped() {
-                true => CrowdTable::new(&self.gpu, &graph, &self.model.parameters())?.map(Arc::new),
-                false => None,
-            };
-            let source = Source::of(&graph, crowds, Template::Inspect(Inspect::Materials))?;
+            let unions = LargeUnions::new(&self.gpu, &graph, &self.model.parameters())?;
+            let source = Source::of(&graph, &unions, Template::Inspect(Inspect::Materials))?;
             self.classes = Some(Program::new(&self.gpu, source, "inspect_materials", false, &slots)?);
         }
         let (Some(program), Some(screen)) = (&self.classes, &self.screen) else { return Ok(Vec::new()) };

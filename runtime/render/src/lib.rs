@@ -37,6 +37,6 @@ pub use mask::{Mask, Masker};
 pub use model::Model;
 pub use one_pass::Eye;
 pub use picture::{Evaluations, Floor, Picture, Timings};
-pub use probe::{distances, distances_looped};
+pub use probe::distances;
 pub use study::{Outcome, Receiver, Study, Truth};
 pub use view::View;

@@ -44,7 +44,7 @@ impl Masker {
         let Some((positions, pixel_angle)) = inspector.seen() else {
             return Ok(Mask { size, covered: Vec::new() });
         };
-        let program = self.program(&gpu, part)?;
+        let program = self.program(&gpu, part, parameters)?;
         program.set_parameters(&gpu, parameters)?;
         let answers = buffer(&gpu, "distances", Slot::ReadWrite, 4 * seen.len() as u64)?;
         let own = [(0, positions.as_entire_binding()), (1, answers.as_entire_binding())];
@@ -62,11 +62,11 @@ impl Masker {
     }
 
     /// The part's kernel, compiled unless it is known.
-    fn program(&mut self, gpu: &Gpu, part: &Graph) -> Result<&Program> {
+    fn program(&mut self, gpu: &Gpu, part: &Graph, parameters: &[f64]) -> Result<&Program> {
         let key = format!("{:?} {:?} {:?} {:?}", part.root, part.points, part.nodes, part.slots);
         let known = match self.compiled.iter().position(|(known, _)| *known == key) {
             Some(index) => self.compiled.remove(index),
-            None => (key, Program::distances(gpu, part, None)?),
+            None => (key, Program::distances(gpu, part, parameters)?),
         };
         if self.compiled.len() == MOST_PARTS {
             self.compiled.remove(0);

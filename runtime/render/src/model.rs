@@ -6,11 +6,12 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use chiaro_field::{Crowds, Graph};
 use chiaro_shader::{GLOSS_TABLE, Template, bindings, splice_with_crowds};
 use chiaro_solid::{Scalar, scalar::ParameterId};
+use chiaro_syntax::Diagnostic;
 use chiaro_vocabulary::Bounds;
 use naga::Module;
 use wgpu::{BindGroup, BindingResource, Buffer};
 
-use crate::crowds::CrowdTable;
+use crate::crowds::{CrowdTable, LargeUnions};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::kernel::{Kernel, Slot, buffer};
@@ -27,7 +28,7 @@ pub struct Model {
     /// Outside there is nothing to draw.
     pub(crate) bounds: Bounds,
     pub(crate) lipschitz: f64,
-    crowds: Option<Arc<CrowdTable>>,
+    unions: LargeUnions,
     live: Arc<Mutex<Live>>,
     /// Whether the scene has a lowest point that a floor could be under.
     has_lower_end: bool,
@@ -66,29 +67,28 @@ pub(crate) struct Program {
 }
 
 impl Model {
-    /// Compiles a scene; its live numbers have these values, in the order of their ids.
+    /// Compiles a scene; its live numbers have these values, in the order of their ids. Large unions become loops over
+    /// those of their operands that are near, but for what [`notes`](Self::notes) tells.
     pub fn new(gpu: &Gpu, graph: &Graph, parameters: &[f64]) -> Result<Self> {
-        Self::with_crowds(gpu, graph, None, parameters)
+        Self::with_unions(gpu, graph, LargeUnions::new(gpu, graph, parameters)?, parameters)
     }
 
-    /// The same with loops over the members of large unions, found by cells. Where very many members are in one place, lists
-    /// are long, and so is what it takes to make them.
-    pub fn looped(gpu: &Gpu, graph: &Graph, parameters: &[f64]) -> Result<Self> {
-        let crowds = CrowdTable::new(gpu, graph, parameters)?.map(Arc::new);
-        Self::with_crowds(gpu, graph, crowds, parameters)
+    /// The same with code for each operand of each union, to compare with.
+    pub fn unrolled(gpu: &Gpu, graph: &Graph, parameters: &[f64]) -> Result<Self> {
+        Self::with_unions(gpu, graph, LargeUnions::default(), parameters)
     }
 
-    fn with_crowds(gpu: &Gpu, graph: &Graph, crowds: Option<Arc<CrowdTable>>, parameters: &[f64]) -> Result<Self> {
+    fn with_unions(gpu: &Gpu, graph: &Graph, unions: LargeUnions, parameters: &[f64]) -> Result<Self> {
         let facts = graph.facts[graph.root.0 as usize];
-        let prepass = Source::of(graph, crowds.clone(), Template::Prepass)?;
-        let trace = Source::of(graph, crowds.clone(), Template::Trace)?;
+        let prepass = Source::of(graph, &unions, Template::Prepass)?;
+        let trace = Source::of(graph, &unions, Template::Trace)?;
         let model = Self {
             graph: Arc::new(graph.clone()),
             prepass: Program::new(gpu, prepass, "prepass", true, &[(0, Slot::ReadWrite)])?,
             trace: Program::new(gpu, trace, "trace", true, &TRACE_SLOTS)?,
             bounds: drawn_bounds(&facts.bounds),
             lipschitz: facts.lipschitz,
-            crowds,
+            unions,
             live: Arc::default(),
             has_lower_end: facts.bounds.min[2].is_finite(),
         };
@@ -96,9 +96,10 @@ impl Model {
         Ok(model)
     }
 
-    /// Whether it loops over the members of large unions.
-    pub(crate) fn is_looped(&self) -> bool {
-        self.crowds.is_some()
+    /// What there is to say of how the scene is drawn, at its places in this graph, which [is of](Self::is_of) the model: notes
+    /// about large unions that are code for each of their operands, since too many of these lie in each other.
+    pub fn notes(&self, graph: &Graph) -> Vec<Diagnostic> {
+        self.unions.notes(graph)
     }
 
     /// Whether it draws this field: then a new one would be no other.
@@ -122,6 +123,7 @@ impl Model {
     }
 
     /// Moves the live numbers to these values, in the order of their ids. Pictures of the model have to be told themselves.
+    /// If they move too many parts of a large union into each other, that is an [`Error::Dense`]: then a new model is needed.
     pub fn set_parameters(&self, gpu: &Gpu, parameters: &[f64]) -> Result<()> {
         self.prepass.set_parameters(gpu, parameters)?;
         self.trace.set_parameters(gpu, parameters)?;
@@ -143,7 +145,7 @@ impl Model {
         if let Some(program) = live.programs.get(&template) {
             return Ok(program.clone());
         }
-        let source = Source::of(&self.graph, self.crowds.clone(), template)?;
+        let source = Source::of(&self.graph, &self.unions, template)?;
         let program = Program::new(gpu, source, entry, true, own)?;
         program.set_parameters(gpu, &live.parameters)?;
         live.programs.insert(template, program.clone());
@@ -156,12 +158,15 @@ impl Model {
 }
 
 impl Source {
-    /// A scene in a template, with a table of its crowds, if it has any.
-    pub(crate) fn of(graph: &Graph, crowds: Option<Arc<CrowdTable>>, template: Template) -> Result<Self> {
+    /// A scene in a template, with these of its unions.
+    pub(crate) fn of(graph: &Graph, unions: &LargeUnions, template: Template) -> Result<Self> {
         let none = Crowds::default();
+        let crowds = unions.looped.clone();
         let looped = crowds.as_ref().map_or(&none, |table| &table.crowds);
-        let shader =
-            splice_with_crowds(graph, looped, template).map_err(|diagnostic| Error::Scene(Box::new(diagnostic)))?;
+        let shader = splice_with_crowds(graph, looped, template).map_err(|diagnostic| {
+            let notes = unions.notes(graph).into_iter().filter_map(|note| Some((note.span?, note.message)));
+            Error::Scene(Box::new(notes.fold(diagnostic, |all, (span, note)| all.with_related(span, note))))
+        })?;
         let live = if shader.live_numbers > 0 { graph.slots.clone() } else { Vec::new() };
         Ok(Self { module: shader.module, live, tables: shader.tables.rows, crowds })
     }

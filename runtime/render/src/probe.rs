@@ -1,11 +1,9 @@
 //! Asking the field itself, on the device.
 
-use std::sync::Arc;
-
 use chiaro_field::Graph;
 use chiaro_shader::Template;
 
-use crate::crowds::CrowdTable;
+use crate::crowds::LargeUnions;
 use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::kernel::{Slot, buffer};
@@ -15,33 +13,18 @@ use crate::stopwatch::Stopwatch;
 /// The edge of a dispatch of many workgroups.
 const ROW: u32 = 32768;
 
-/// The scene's signed distance in millimetres at each of the points.
+/// The scene's signed distance in millimetres at each of the points, as pictures find it: away from a large union it may be
+/// less, by a factor of up to √2.
 pub fn distances(gpu: &Gpu, graph: &Graph, parameters: &[f64], points: &[[f64; 3]]) -> Result<Vec<f32>> {
-    answered(gpu, graph, None, parameters, points)
-}
-
-/// The same by loops over the members of large unions, as those of [`Model::looped`](crate::Model::looped).
-pub fn distances_looped(gpu: &Gpu, graph: &Graph, parameters: &[f64], points: &[[f64; 3]]) -> Result<Vec<f32>> {
-    let crowds = CrowdTable::new(gpu, graph, parameters)?.map(Arc::new);
-    answered(gpu, graph, crowds, parameters, points)
-}
-
-fn answered(
-    gpu: &Gpu,
-    graph: &Graph,
-    crowds: Option<Arc<CrowdTable>>,
-    parameters: &[f64],
-    points: &[[f64; 3]],
-) -> Result<Vec<f32>> {
-    let program = Program::distances(gpu, graph, crowds)?;
+    let program = Program::distances(gpu, graph, parameters)?;
     program.set_parameters(gpu, parameters)?;
     program.ask(gpu, points)
 }
 
 impl Program {
-    /// The program that answers distances to a scene.
-    pub(crate) fn distances(gpu: &Gpu, graph: &Graph, crowds: Option<Arc<CrowdTable>>) -> Result<Self> {
-        let source = Source::of(graph, crowds, Template::Distances)?;
+    /// The program that answers distances to a scene while its live numbers have these values, or others set later.
+    pub(crate) fn distances(gpu: &Gpu, graph: &Graph, parameters: &[f64]) -> Result<Self> {
+        let source = Source::of(graph, &LargeUnions::new(gpu, graph, parameters)?, Template::Distances)?;
         Program::new(gpu, source, "distances", false, &[(0, Slot::Read), (1, Slot::ReadWrite)])
     }
 

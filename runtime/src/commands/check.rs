@@ -3,6 +3,10 @@
 use std::process::ExitCode;
 
 use anyhow::Result;
+use chiaro_compiler::Scene;
+use chiaro_compiler::field::Crowds;
+use chiaro_compiler::shader::{self, CrowdData, Template};
+use chiaro_compiler::syntax::Diagnostic;
 
 use crate::arguments::{Check, Global};
 use crate::{compile, terminal};
@@ -11,10 +15,18 @@ pub(crate) fn run(arguments: &Check, global: &Global) -> Result<ExitCode> {
     let compilation = compile::compilation(&arguments.scene, global)?;
     let Some(scene) = &compilation.scene else { return Ok(ExitCode::FAILURE) };
     // The shader is part of what can go wrong with a scene.
-    if compile::wgsl(&compilation, scene, global)?.is_none() {
+    if let Err(diagnostic) = shader::wgsl(&scene.graph).map(|_| ()).or_else(|_| drawable(scene)) {
+        terminal::report(&compilation.sources, &[diagnostic], global)?;
         return Ok(ExitCode::FAILURE);
     }
     let nodes = scene.graph.nodes.len();
     terminal::note(global, &format!("{}: no errors; {nodes} nodes in its field", arguments.scene.file.display()));
     Ok(ExitCode::SUCCESS)
+}
+
+/// Whether a scene that is too large for straight-line code can be drawn by loops.
+fn drawable(scene: &Scene) -> std::result::Result<(), Diagnostic> {
+    let mut crowds = Crowds::of(&scene.graph);
+    CrowdData::of(&scene.graph, &mut crowds, &scene.defaults());
+    shader::splice_with_crowds(&scene.graph, &crowds, Template::Distances).map(|_| ())
 }

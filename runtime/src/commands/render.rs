@@ -7,8 +7,9 @@ use anyhow::Result;
 use chiaro_compiler::Scene;
 use chiaro_compiler::field::Graph;
 use chiaro_compiler::solid::{Camera, PlacedLight};
+use chiaro_compiler::syntax::Sources;
 use chiaro_compiler::vocabulary::Bounds;
-use chiaro_render::{Floor, Gpu, Lighting, Model, Picture, View};
+use chiaro_render::{Error, Floor, Gpu, Lighting, Model, Picture, View};
 use indicatif::ProgressBar;
 
 use crate::arguments::{Global, Render, SceneArguments};
@@ -22,12 +23,15 @@ pub(crate) fn run(arguments: &Render, global: &Global) -> Result<ExitCode> {
     let format = Format::of(&arguments.output)?;
     let compilation = compile::compilation(&arguments.scene, global)?;
     let Some(scene) = &compilation.scene else { return Ok(ExitCode::FAILURE) };
-    compile::drawn(draw(scene, arguments, format, global), &compilation.sources, global)
+    compile::drawn(draw(scene, &compilation.sources, arguments, format, global), &compilation.sources, global)
 }
 
-fn draw(scene: &Scene, arguments: &Render, format: Format, global: &Global) -> Result<ExitCode> {
+fn draw(scene: &Scene, sources: &Sources, arguments: &Render, format: Format, global: &Global) -> Result<ExitCode> {
     let gpu = Gpu::new(&arguments.adapter.preference())?;
-    let mut studio = Studio::new(&gpu, scene, arguments)?;
+    let graph = scene.picture();
+    let model = Model::new(&gpu, &graph, &scene.defaults())?;
+    terminal::report(sources, &model.notes(&graph), global)?;
+    let mut studio = Studio::new(&gpu, scene, &graph, &model, arguments)?;
 
     let frames = arguments.frames.unwrap_or(1);
     let progress = terminal::progress(global, u64::from(frames) * u64::from(arguments.samples), "samples");
@@ -35,7 +39,7 @@ fn draw(scene: &Scene, arguments: &Render, format: Format, global: &Global) -> R
         if arguments.frames.is_some() {
             let time = f64::from(frame) / f64::from(frames);
             if studio.has_clock() {
-                studio.set_time(time)?;
+                studio.set_time(&gpu, &graph, time, arguments)?;
             } else if frame > 0 {
                 let Some(scene) = scene_at(time, &arguments.scene, global)? else { return Ok(ExitCode::FAILURE) };
                 studio.replace(&gpu, &scene, arguments)?;
@@ -69,12 +73,6 @@ fn camera(scene: &Scene, arguments: &Render) -> Camera {
     arguments.view.map_or_else(|| scene.camera.clone(), |view| view.apply(&scene.camera))
 }
 
-/// The scene's kernels, of the form that the command line asks for.
-fn model(gpu: &Gpu, graph: &Graph, values: &[f64], arguments: &Render) -> Result<Model> {
-    let make = if arguments.crowds { Model::looped } else { Model::new };
-    Ok(make(gpu, graph, values)?)
-}
-
 /// A scene with its picture in progress.
 struct Studio {
     camera: Camera,
@@ -93,14 +91,12 @@ struct Studio {
 }
 
 impl Studio {
-    fn new(gpu: &Gpu, scene: &Scene, arguments: &Render) -> Result<Self> {
-        let graph = scene.picture();
+    fn new(gpu: &Gpu, scene: &Scene, graph: &Graph, model: &Model, arguments: &Render) -> Result<Self> {
         let camera = camera(scene, arguments);
         let values = scene.defaults();
         let (width, height) = arguments.size;
         let aspect = f64::from(width) / f64::from(height);
 
-        let model = model(gpu, &graph, &values, arguments)?;
         let clock = scene.parameters.iter().position(|parameter| &*parameter.name == CLOCK);
         // What moves is framed as far as it may reach, so that neither the view nor the floor moves with it.
         let reach = graph.facts[graph.root.0 as usize].bounds;
@@ -114,9 +110,9 @@ impl Studio {
         // All pictures of a movement are seen from the same place; a single one is filled by what it shows.
         let view = match arguments.frames {
             Some(_) => View::framing(&camera, &values, &frame, aspect),
-            None => View::framing_model(gpu, &model, &camera, aspect)?,
+            None => View::framing_model(gpu, model, &camera, aspect)?,
         };
-        let mut picture = Picture::new(gpu, &model, view, [width, height])?;
+        let mut picture = Picture::new(gpu, model, view, [width, height])?;
         picture.set_floor(floor)?;
         let mut studio = Self {
             camera,
@@ -135,12 +131,16 @@ impl Studio {
         Ok(studio)
     }
 
-    /// Moves the clock, and the camera if the scene moves it. No pipeline is made for it.
-    fn set_time(&mut self, time: f64) -> Result<()> {
+    /// Moves the clock, and the camera if the scene moves it. No pipeline is made for it, unless the form of the last ones
+    /// does not do any more.
+    fn set_time(&mut self, gpu: &Gpu, graph: &Graph, time: f64, arguments: &Render) -> Result<()> {
         if let Some(clock) = self.clock {
             self.values[clock] = time;
         }
-        self.picture.set_parameters(&self.values)?;
+        match self.picture.set_parameters(&self.values) {
+            Err(Error::Dense { .. }) => return self.remake(gpu, graph, arguments),
+            moved => moved?,
+        }
         self.place_lights()?;
         self.picture.set_view(View::framing(&self.camera, &self.values, &self.frame, self.aspect))?;
         Ok(())
@@ -154,14 +154,19 @@ impl Studio {
     fn replace(&mut self, gpu: &Gpu, scene: &Scene, arguments: &Render) -> Result<()> {
         self.camera = camera(scene, arguments);
         self.values = scene.defaults();
-        let model = model(gpu, &scene.picture(), &self.values, arguments)?;
+        self.lights = scene.lights.clone();
+        self.remake(gpu, &scene.picture(), arguments)
+    }
+
+    /// Compiles a field, and draws it in the same frame.
+    fn remake(&mut self, gpu: &Gpu, graph: &Graph, arguments: &Render) -> Result<()> {
+        let model = Model::new(gpu, graph, &self.values)?;
         let view = View::framing(&self.camera, &self.values, &self.frame, self.aspect);
         self.picture = Picture::new(gpu, &model, self.first_view, self.picture.size())?;
         self.picture.set_view(view)?;
         self.picture.set_floor(self.floor)?;
         self.picture.set_direct(arguments.shadows.0)?;
         self.picture.set_cells(arguments.shadow_cells)?;
-        self.lights = scene.lights.clone();
         self.place_lights()
     }
 

@@ -5,12 +5,14 @@
 //! "Lipschitz Pruning", 2025, for cells of a hierarchical grid: each looks only at what its parent kept.)
 //! Changes: Values at c are asked only of members whose boxes are near enough to matter. Cells are divided where that
 //! shortens their lists, and sooner where there is a surface: most questions are about points beside one.
-//! Practice: Lists are exact everywhere in the grid: asking a cell's members gives the very least of all.
+//! Practice: Lists are exact everywhere in the grid: asking a cell's members gives the very least of all. Members that lie in
+//! each other have no short lists: there the work would have no end, so it is counted, and given up beyond a bound.
 
 use chiaro_vocabulary::{Bounds, Class};
 use rustc_hash::FxHashMap;
 
 use super::Crowd;
+use super::pattern::weights;
 use crate::evaluate::Evaluator;
 use crate::graph::Graph;
 
@@ -19,18 +21,31 @@ pub const BLOCK_EDGE: u32 = 4;
 /// How often cells of the grid may be divided into blocks.
 pub const MOST_DIVISIONS: u32 = 3;
 
-/// By how much of its diagonal the grid reaches beyond the crowd's box.
+/// By how much of its diagonal, at the most, the grid reaches beyond the crowd's box.
 const MARGIN: f64 = 0.1;
 /// The most members of a cell that is left undivided, if a surface passes through it, and if none does.
-const FEW: usize = 3;
-const FEW_AWAY: usize = 12;
+const FEW: usize = 4;
+const FEW_AWAY: usize = 16;
 /// Dividing has to shorten lists to this part.
 const SHORTENED: f64 = 0.8;
+/// Cells whose eighths have lists so nearly as long are not divided.
+const HOPELESS: f64 = 0.95;
 /// For several cells together, so many members are not asked for their values if boxes tell them apart.
 const TOO_MANY: usize = 48;
-/// The least and the most cells of a grid.
-const LEAST_CELLS: usize = 512;
-const MOST_CELLS: usize = 1 << 16;
+/// How many cells a grid has for each member; at the least, and at the most.
+const CELLS_EACH: usize = 16;
+const LEAST_CELLS: usize = 1 << 12;
+const MOST_CELLS: usize = 1 << 20;
+/// The work of making cells is counted in boxes that are looked at; asking a node for its value is as much as so many.
+const BOXES_PER_NODE: usize = 40;
+/// The most work: so much, and for each member what so many questions for its value are.
+const LEAST_WORK: usize = 1 << 23;
+const QUESTIONS_EACH: usize = 800;
+/// Where lists are of more members on average over the grid's volume, members lie in each other, and loops are not worth it.
+const MOST_LISTED: f64 = 32.0;
+/// The same before any cube of the grid is divided, in a sample of so many cubes: then dividing will not do.
+const MOST_LISTED_AT_FIRST: usize = 128;
+const SAMPLED: usize = 64;
 /// How far off a point may be that a shader takes for another, as a part of its coordinates.
 const ROUNDING: f64 = 4.0 * f32::EPSILON as f64;
 
@@ -60,8 +75,10 @@ pub enum Cell {
 
 impl Cells {
     /// The cells of a crowd while the live parameters have certain values: about as many cells and members of lists as
-    /// given, or fewer.
-    pub fn of(graph: &Graph, crowd: &Crowd, parameters: &[f64], room: usize) -> Self {
+    /// given, or fewer. None if too many members lie in each other: if lists would be long almost everywhere, or making
+    /// them take much more work than for members beside each other.
+    pub fn of(graph: &Graph, crowd: &Crowd, parameters: &[f64], room: usize) -> Option<Self> {
+        let weights = weights(graph);
         let evaluator = Evaluator::new(graph, parameters);
         let bounds = graph.bounds_at(parameters);
         let reaches: Vec<Reach> = (crowd.members.iter())
@@ -74,6 +91,7 @@ impl Cells {
                     all_bounds: facts.bounds,
                     growth: facts.growth,
                     lipschitz: facts.lipschitz,
+                    work: BOXES_PER_NODE * weights[member.node.0 as usize] as usize,
                 }
             })
             .collect();
@@ -100,6 +118,30 @@ impl Cells {
         }
     }
 
+    /// How many members a list has on average over the grid's volume.
+    pub fn mean_listed(&self) -> f64 {
+        let [x, y, z] = self.counts.map(|count| count as usize);
+        self.mean_of(0, x * y * z)
+    }
+
+    /// The same over so many cells from a place on.
+    fn mean_of(&self, first: usize, count: usize) -> f64 {
+        let listed = |cell: &Cell| match *cell {
+            Cell::List(from, to) => f64::from(to - from),
+            Cell::Block(first) => self.mean_of(first as usize, BLOCK_EDGE.pow(3) as usize),
+        };
+        self.cells[first..first + count].iter().map(listed).sum::<f64>() / count as f64
+    }
+
+    /// A cube around so many cubes of the grid from a place on.
+    fn cube(&self, place: [u32; 3], counts: [u32; 3]) -> Cube {
+        let [x, y, z] = counts;
+        let half = 0.5 * self.edge * f64::from(x.max(y).max(z));
+        let center =
+            [0, 1, 2].map(|axis| self.origin[axis] + 0.5 * self.edge * f64::from(2 * place[axis] + counts[axis]));
+        Cube { center, half }
+    }
+
     /// The box that the grid fills.
     pub fn bounds(&self) -> Bounds {
         let max = [0, 1, 2].map(|axis| self.origin[axis] + self.edge * f64::from(self.counts[axis]));
@@ -120,6 +162,8 @@ struct Reach {
     all_bounds: Bounds,
     growth: f64,
     lipschitz: f64,
+    /// What asking for its value takes.
+    work: usize,
 }
 
 impl Reach {
@@ -153,11 +197,11 @@ struct Cube {
 }
 
 impl Cube {
-    /// A cube of the block that it is divided into.
-    fn part(&self, place: [u32; 3]) -> Cube {
-        let half = self.half / f64::from(BLOCK_EDGE);
+    /// One of the cubes that it is divided into, so many along each edge.
+    fn part(&self, place: [u32; 3], count: u32) -> Cube {
+        let half = self.half / f64::from(count);
         let center = [0, 1, 2].map(|axis| {
-            let across = 2.0 * f64::from(place[axis]) + 1.0 - f64::from(BLOCK_EDGE);
+            let across = 2.0 * f64::from(place[axis]) + 1.0 - f64::from(count);
             self.center[axis] + half * across
         });
         Cube { center, half }
@@ -182,6 +226,8 @@ struct Growing<'a> {
     reaches: &'a [Reach],
     value: &'a dyn Fn(u32, [f64; 3]) -> f64,
     room: usize,
+    /// The work that is left.
+    work: usize,
     /// How far shaders' points may be off.
     slack: f64,
     cells: Cells,
@@ -191,84 +237,96 @@ struct Growing<'a> {
 impl<'a> Growing<'a> {
     fn new(reaches: &'a [Reach], value: &'a dyn Fn(u32, [f64; 3]) -> f64, room: usize) -> Self {
         let around = reaches.iter().fold(Bounds::EMPTY, |all, reach| all.union(&reach.bounds));
-        let around = around.inflate(MARGIN * around.diagonal() + f64::MIN_POSITIVE);
+        let count = (CELLS_EACH * reaches.len()).clamp(LEAST_CELLS, MOST_CELLS);
+        // One cube beyond the members: the farther away, the longer lists are.
+        let margin = edge_for(around.size(), count).min(MARGIN * around.diagonal());
+        let around = around.inflate(margin + f64::MIN_POSITIVE);
         let size = around.size();
-        let count = (2 * reaches.len()).clamp(LEAST_CELLS, MOST_CELLS);
         let edge = edge_for(size, count);
         let counts = size.map(|size| ((size / edge).ceil() as u32).max(1));
         let farthest = around.min.iter().chain(&around.max).fold(0.0, |most: f64, x| most.max(x.abs()));
         let all = counts.iter().map(|count| *count as usize).product();
         let cells = Cells { origin: around.min, edge, counts, cells: vec![Cell::List(0, 0); all], members: Vec::new() };
         let slack = ROUNDING * (farthest + around.diagonal());
-        Self { reaches, value, room, slack, cells, known: FxHashMap::default() }
+        let work = LEAST_WORK + QUESTIONS_EACH * reaches.iter().map(|reach| reach.work).sum::<usize>();
+        Self { reaches, value, room, work, slack, cells, known: FxHashMap::default() }
     }
 
-    fn grown(mut self) -> Cells {
+    fn grown(mut self) -> Option<Cells> {
         let mut open = Vec::new();
-        let all = (0..self.reaches.len() as u32).collect();
-        self.fill([0; 3], self.cells.counts, all, &mut open);
+        let all: Vec<u32> = (0..self.reaches.len() as u32).collect();
+        if self.is_dense(&all) {
+            return None;
+        }
+        self.fill([0; 3], self.cells.counts, all, &mut open)?;
         for _ in 0..MOST_DIVISIONS {
-            // Where the room ends, the longest lists are shortened.
+            // Where the room or the work ends, the longest lists are shortened.
             open.sort_by_key(|open| std::cmp::Reverse(open.list.len()));
             for cell in std::mem::take(&mut open) {
-                if self.used() < self.room {
+                if self.may_go_on() {
                     self.divide(cell, &mut open);
                 }
             }
         }
-        self.cells
+        Some(self.cells).filter(|cells| cells.mean_listed() <= MOST_LISTED)
     }
 
-    /// How much of the room is used.
-    fn used(&self) -> usize {
-        self.cells.cells.len() + self.cells.members.len() + self.known.len()
+    /// Whether too many members lie in each other, as far as a few cubes tell.
+    fn is_dense(&mut self, all: &[u32]) -> bool {
+        let [x, y, z] = self.cells.counts;
+        let count = (x * y * z) as usize;
+        let step = count.div_ceil(SAMPLED);
+        let cubes = (0..count).step_by(step).map(|cell| {
+            let cell = cell as u32;
+            self.cells.cube([cell % x, cell / x % y, cell / (x * y)], [1; 3])
+        });
+        let cubes: Vec<Cube> = cubes.collect();
+        let listed: usize = cubes.iter().map(|cube| self.pruned(all, cube, true).list.len()).sum();
+        listed > MOST_LISTED_AT_FIRST * cubes.len()
     }
 
-    /// Fills the cubes of the grid from one place up to another, where these members matter: halves them first.
-    fn fill(&mut self, low: [u32; 3], high: [u32; 3], candidates: Vec<u32>, open: &mut Vec<Open>) {
+    /// Whether there is room, and work, for more.
+    fn may_go_on(&self) -> bool {
+        self.work > 0 && self.cells.cells.len() + self.cells.members.len() + self.known.len() < self.room
+    }
+
+    /// Fills the cubes of the grid from one place up to another, where these members matter: halves them first. None if that
+    /// is too much.
+    fn fill(&mut self, low: [u32; 3], high: [u32; 3], candidates: Vec<u32>, open: &mut Vec<Open>) -> Option<()> {
         let counts = [0, 1, 2].map(|axis| high[axis] - low[axis]);
         let longest = (0..3).fold(0, |longest, axis| if counts[axis] > counts[longest] { axis } else { longest });
-        let Cells { origin, edge, .. } = self.cells;
-        let half = 0.5 * edge * f64::from(counts[longest]);
-        let center = [0, 1, 2].map(|axis| origin[axis] + 0.5 * edge * f64::from(low[axis] + high[axis]));
-        let cube = Cube { center, half };
-        if self.used() >= self.room {
-            return self.fill_evenly(low, high, &candidates);
+        let cube = self.cells.cube(low, counts);
+        if !self.may_go_on() {
+            return None;
         }
         let is_cell = counts[longest] == 1;
         let pruned = self.pruned(&candidates, &cube, is_cell);
         if is_cell {
-            let cell = index(low, self.cells.counts);
-            return self.place(cell, cube, pruned, open);
+            self.place(index(low, self.cells.counts), cube, pruned, open);
+            return Some(());
         }
         let middle = low[longest] + counts[longest] / 2;
         let (mut first_high, mut second_low) = (high, low);
         first_high[longest] = middle;
         second_low[longest] = middle;
-        self.fill(low, first_high, pruned.list.clone(), open);
-        self.fill(second_low, high, pruned.list, open);
-    }
-
-    /// Gives the same list to all cubes of the grid from one place up to another.
-    fn fill_evenly(&mut self, low: [u32; 3], high: [u32; 3], list: &[u32]) {
-        let cell = self.list(list);
-        for z in low[2]..high[2] {
-            for y in low[1]..high[1] {
-                for x in low[0]..high[0] {
-                    self.cells.cells[index([x, y, z], self.cells.counts)] = cell;
-                }
-            }
-        }
+        self.fill(low, first_high, pruned.list.clone(), open)?;
+        self.fill(second_low, high, pruned.list, open)
     }
 
     /// Divides a cell into a block, if that shortens lists.
     fn divide(&mut self, Open { cell, cube, list }: Open, open: &mut Vec<Open>) {
         let places = (0..BLOCK_EDGE.pow(3))
             .map(|k| [k % BLOCK_EDGE, k / BLOCK_EDGE % BLOCK_EDGE, k / (BLOCK_EDGE * BLOCK_EDGE)]);
+        let eighths: Vec<Vec<u32>> =
+            (0..8).map(|k| self.pruned(&list, &cube.part([k & 1, k >> 1 & 1, k >> 2], 2), false).list).collect();
+        if eighths.iter().map(Vec::len).sum::<usize>() as f64 > HOPELESS * (eighths.len() * list.len()) as f64 {
+            return;
+        }
         let parts: Vec<(Cube, Pruned)> = places
             .map(|place| {
-                let part = cube.part(place);
-                let pruned = self.pruned(&list, &part, true);
+                let [x, y, z] = place.map(|k| (2 * k / BLOCK_EDGE) as usize);
+                let part = cube.part(place, BLOCK_EDGE);
+                let pruned = self.pruned(&eighths[x + 2 * y + 4 * z], &part, true);
                 (part, pruned)
             })
             .collect();
@@ -305,7 +363,7 @@ impl<'a> Growing<'a> {
     }
 
     /// The candidates that can be the nearest somewhere in a cube, which is a cell or several.
-    fn pruned(&self, candidates: &[u32], cube: &Cube, is_cell: bool) -> Pruned {
+    fn pruned(&mut self, candidates: &[u32], cube: &Cube, is_cell: bool) -> Pruned {
         if candidates.len() < 2 {
             return Pruned { list: candidates.to_vec(), has_surface: true };
         }
@@ -313,9 +371,11 @@ impl<'a> Growing<'a> {
         let radius = 3f64.sqrt() * within.half;
         let boxed: Vec<(u32, f64)> =
             candidates.iter().map(|&member| (member, self.reaches[member as usize].least_in(&within))).collect();
-        let range = |member: u32| {
-            let spread = self.reaches[member as usize].lipschitz * radius;
-            let value = (self.value)(member, cube.center);
+        let mut work = candidates.len();
+        let mut range = |member: u32| {
+            let reach = &self.reaches[member as usize];
+            work += reach.work;
+            let (value, spread) = ((self.value)(member, cube.center), reach.lipschitz * radius);
             (value - spread, value + spread)
         };
 
@@ -325,6 +385,7 @@ impl<'a> Growing<'a> {
         let near: Vec<(u32, f64)> = boxed.into_iter().filter(|(_, least)| *least <= most).collect();
         let is_boxed = |(member, _): &(u32, f64)| self.reaches[*member as usize].is_boxed();
         if !is_cell && near.len() > TOO_MANY && near.iter().all(is_boxed) {
+            self.work = self.work.saturating_sub(work);
             return Pruned { list: near.into_iter().map(|(member, _)| member).collect(), has_surface: true };
         }
         let mut asked: Vec<(u32, f64)> = Vec::with_capacity(near.len());
@@ -335,6 +396,7 @@ impl<'a> Growing<'a> {
                 asked.push((member, low.max(least)));
             }
         }
+        self.work = self.work.saturating_sub(work);
         asked.retain(|(_, least)| *least <= most);
         let least = asked.iter().fold(f64::INFINITY, |all, (_, least)| all.min(*least));
         let has_surface = least <= 0.0 && most >= 0.0;
@@ -347,7 +409,10 @@ fn edge_for(size: [f64; 3], count: usize) -> f64 {
     let longest = size.into_iter().fold(0.0, f64::max);
     // Flat boxes have one layer of cubes, which must not become too many across.
     let count_with = |edge: f64| size.map(|size| (size / edge).ceil().max(1.0)).into_iter().product::<f64>();
-    let mut edge = longest.max(f64::MIN_POSITIVE);
+    if longest <= 0.0 {
+        return 1.0;
+    }
+    let mut edge = longest;
     while count_with(0.8 * edge) <= count as f64 {
         edge *= 0.8;
     }

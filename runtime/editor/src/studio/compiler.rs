@@ -41,6 +41,10 @@ fn compile_and_hand_over(shared: &Shared, preference: &Preference, workshop: &mu
     match workshop.model(shared, preference, &scene) {
         Ok((gpu, model)) => {
             timings.pipelines = begun.elapsed();
+            let notes = model.notes(&scene.picture());
+            if !notes.is_empty() {
+                shared.say(Event::Noted { revision, notes });
+            }
             let subject = Subject { revision, scene: scene.clone(), gpu, model, timings };
             shared.orders.update(|order| order.get_or_insert_default().subject = Some(subject));
         }

@@ -9,7 +9,7 @@ mod pace;
 
 use std::time::{Duration, Instant};
 
-use chiaro_render::{Error, Inspection, Legend, Mask, View};
+use chiaro_render::{Error, Inspection, Legend, Mask, Model, View};
 
 use super::{Event, Eye, Frame, Look, Order, Outlined, Shared, Subject, Wanted, guarded};
 use canvas::Canvas;
@@ -134,11 +134,15 @@ impl Easel {
         if self.subject.is_none() {
             return Ok(None);
         }
-        match (self.stage, self.wanted.look) {
+        let drawn = match (self.stage, self.wanted.look) {
             (Stage::Done, _) => Ok(None),
             (_, Look::Inspected(inspection)) => self.inspect(&inspection, goes_on),
             (Stage::Small, Look::Lit) => self.draw_small(goes_on).map(Some),
             (Stage::Full, Look::Lit) => self.draw_full(goes_on),
+        };
+        match drawn {
+            Err(Error::Dense { .. }) => self.remake().map(|()| None),
+            drawn => drawn,
         }
     }
 
@@ -155,6 +159,16 @@ impl Easel {
         self.stage = if size == self.wanted.size || self.wanted.moving { Stage::Done } else { Stage::Full };
         let picture = Picture { size, rgba, other: None, legend: Some(legend), mask, view, samples: 1, took };
         self.frame(picture, took).map(Some)
+    }
+
+    /// Compiles the subject once more for what the live numbers are now: its model can't follow them.
+    fn remake(&mut self) -> Result<(), Error> {
+        let Some(subject) = &mut self.subject else { return Ok(()) };
+        let parameters = self.wanted.parameters(&subject.scene);
+        subject.model = Model::new(&subject.gpu, &subject.scene.picture(), &parameters)?;
+        (self.small, self.full, self.inspecting, self.framing) = (None, None, None, None);
+        self.stage = Stage::Small;
+        Ok(())
     }
 
     fn inspecting(&mut self) -> Result<&mut Inspecting, Error> {

@@ -108,6 +108,12 @@ pub(crate) enum Event {
         /// The link.
         provenance: Arc<Provenance>,
     },
+    /// What there is to say of how a scene is drawn.
+    Noted {
+        /// The scene's.
+        revision: u64,
+        notes: Vec<Diagnostic>,
+    },
     /// A picture got newer or better.
     Frame(Box<Frame>),
     /// Something went wrong that is not the text's fault; the picture before stays.
