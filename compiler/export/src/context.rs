@@ -3,7 +3,7 @@
 use chiaro_syntax::Diagnostic;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::Serde;
-use minijinja::{Environment, UndefinedBehavior, Value, context};
+use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value, context};
 use serde::Serialize;
 
 use crate::lamps::Lamps;
@@ -112,6 +112,8 @@ impl Context {
     pub(crate) fn fill(&self, template: &str, code: &str) -> Result<String, Diagnostic> {
         let mut environment = Environment::new();
         environment.set_undefined_behavior(UndefinedBehavior::Strict);
+        // Names stand in scripts as they are, whatever the ending of the file that is included.
+        environment.set_auto_escape_callback(|_| AutoEscape::None);
         // Lines of instructions leave nothing behind.
         let failed = |error: minijinja::Error| {
             Diagnostic::error(None, format!("a text of this export can't be made: {error:#}"))

@@ -86,6 +86,10 @@ fn modules_for_three_are_shader_code_between_backticks() {
         let files = example.export(Target::Package(Package::Three)).unwrap();
         let name = &example.name;
         let literals = |path: &str| template_literals(&text_at(&files, path));
+        if name == "clock" {
+            let mesh = text_at(&files, "webgl/clock.js");
+            assert!(mesh.contains("this.parameters.time_value = (performance.now() "), "{mesh}");
+        }
         let [.., fragment, scene] = &literals(&format!("webgl/{name}_picture.js"))[..] else { panic!("{name}") };
         let picture = includes.iter().fold(format!("{scene}{fragment}"), |text, (from, to)| text.replace(from, to));
         compiled_by_glslang(name, &format!("{before}{picture}"), Stage::Fragment);
