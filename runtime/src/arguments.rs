@@ -337,7 +337,8 @@ pub(crate) struct Distance {
     #[arg(long, value_name = "POINTS")]
     pub(crate) points: PathBuf,
 
-    /// Evaluate the shader code on the graphics adapter instead of the CPU.
+    /// Evaluate the shader code on the graphics adapter instead of the CPU. Away from a union of many shapes it answers a bound
+    /// of the distance, at least 0.7 times that.
     #[arg(long)]
     pub(crate) gpu: bool,
 
