@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use chiaro_compiler::{Compilation, Scene, compile};
-use chiaro_exports::{File, Format, Shaded, mesh, mesh_files, occupied, shader_files, write};
+use chiaro_exports::{File, Format, MeshFormat, Shaded, mesh, mesh_beside, mesh_files, occupied, shader_files, write};
 use chiaro_mesh::Detail;
 use chiaro_render::{Gpu, Preference, View};
 
@@ -54,25 +54,31 @@ impl Piece {
         path: &Path,
         progress: &Progress,
     ) -> Result<Vec<File>, String> {
-        let made = match format {
-            Format::Mesh(format) => {
-                let made = mesh(scene, &scene.defaults(), &Detail::default(), &mut |now| {
-                    progress.show(now.done, now.of);
-                    if progress.is_cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-                });
-                // What was cancelled is no mistake.
-                if progress.is_cancelled() {
-                    return Ok(Vec::new());
-                }
-                made.map(|model| mesh_files(&model, format, path))
-            }
-            Format::Shader(target) => {
-                let gpu = Gpu::new(&self.adapter).map_err(|error| error.to_string())?;
-                let title = path.file_stem().unwrap_or_default().to_string_lossy();
-                let shaded = Shaded { title: &title, scene, sources: &compilation.sources, view: self.view };
-                shader_files(&gpu, &shaded, target, path)
-            }
+        let target = match format {
+            Format::Mesh(format) => return meshed(scene, format, path, progress),
+            Format::Shader(target) => target,
         };
-        made.map_err(|error| format!("{error:#}"))
+        let gpu = Gpu::new(&self.adapter).map_err(|error| error.to_string())?;
+        let title = path.file_stem().unwrap_or_default().to_string_lossy();
+        let shaded = Shaded { title: &title, scene, sources: &compilation.sources, view: self.view };
+        let mut files = shader_files(&gpu, &shaded, target, path).map_err(|error| format!("{error:#}"))?;
+        if let Some(path) = mesh_beside(target, &files, path) {
+            files.extend(meshed(scene, MeshFormat::Obj, &path, progress)?);
+        }
+        Ok(files)
+    }
+}
+
+/// The files of a mesh; none, if it was cancelled.
+fn meshed(scene: &Scene, format: MeshFormat, path: &Path, progress: &Progress) -> Result<Vec<File>, String> {
+    let made = mesh(scene, &scene.defaults(), &Detail::default(), &mut |now| {
+        progress.show(now.done, now.of);
+        if progress.is_cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    match made {
+        Ok(model) => Ok(mesh_files(&model, format, path)),
+        // What was cancelled is no mistake.
+        Err(_) if progress.is_cancelled() => Ok(Vec::new()),
+        Err(error) => Err(format!("{error:#}")),
     }
 }

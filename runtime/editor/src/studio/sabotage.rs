@@ -23,6 +23,11 @@ impl Sabotage {
         super::lock(&self.0).extend(mishaps);
     }
 
+    /// Whether all of them happened.
+    pub(crate) fn is_done(&self) -> bool {
+        super::lock(&self.0).is_empty()
+    }
+
     /// Lets the next mishap happen, if one is planned.
     pub(super) fn work(&self) -> Result<(), Error> {
         let next = super::lock(&self.0).pop();

@@ -84,7 +84,7 @@ fn texts_are_saved_and_shaders_exported() {
     exports(&mut person);
     person.clicks_on("Replace");
     person.until("exported", |_| fs::metadata(&mesh).unwrap().len() > 84);
-    person.harness.get_by_label("Format").click();
+    person.harness.get_by_role_and_label(egui::Role::ComboBox, "Format").click();
     person.frames(3);
     person.clicks_on("GLSL 330 functions");
     exports(&mut person);

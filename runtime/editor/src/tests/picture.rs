@@ -95,7 +95,7 @@ fn a_lost_device_comes_back() {
     person.until_drawn();
     person.editor().session.sabotage().plan(&[Mishap::Loss]);
     person.editor_mut().viewport.exposure = 1.0;
-    person.until("lost", |editor| editor.session.trouble.as_ref().is_some_and(|trouble| trouble.contains("unplugged")));
+    person.until("lost", |editor| editor.session.sabotage().is_done());
     person.until("back", |editor| editor.session.trouble.is_none());
     person.until_drawn();
     assert!(person.editor().viewport.drawn.is_some());
@@ -108,9 +108,8 @@ fn a_scene_that_loses_the_device_again_and_again_is_given_up_until_it_is_edited(
     person.editor().session.sabotage().plan(&[Mishap::Loss; 2]);
     person.editor_mut().viewport.exposure = 1.0;
     let is_lost = |editor: &Editor| editor.session.trouble.is_some();
-    person.until("lost", is_lost);
-    person.until("tried again", |editor| editor.session.trouble.is_none());
-    person.until("lost again", is_lost);
+    person.until("lost twice", |editor| editor.session.sabotage().is_done() && is_lost(editor));
+    person.frames(3);
     for _ in 0..20 {
         std::thread::sleep(std::time::Duration::from_millis(50));
         person.frames(1);
