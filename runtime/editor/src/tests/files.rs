@@ -8,10 +8,12 @@ use egui_kittest::kittest::Queryable;
 use super::person::Person;
 use crate::app::Editor;
 
-/// How far the scene in the picture reaches along x.
+/// How far the scene in the picture reaches along x; no number while nothing is shown.
 fn reach(editor: &Editor) -> f64 {
-    let graph = &editor.session.shown.as_ref().unwrap().scene.graph;
-    graph.facts[graph.root.0 as usize].bounds.max[0]
+    editor.session.shown.as_ref().map_or(f64::NAN, |shown| {
+        let graph = &shown.scene.graph;
+        graph.facts[graph.root.0 as usize].bounds.max[0]
+    })
 }
 
 /// Writes a file as careful editors do.
