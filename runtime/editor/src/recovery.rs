@@ -147,7 +147,23 @@ fn remove(files: &[PathBuf]) {
     }
 }
 
-/// Whether a process of that number runs. Where the system doesn't say, only this one is known to.
+/// Whether a process of that number runs this program. Where the system doesn't say, only this one is known to.
 fn is_running(process: u32) -> bool {
-    process == std::process::id() || Path::new("/proc").join(process.to_string()).exists()
+    if process == std::process::id() {
+        return true;
+    }
+    let folder = Path::new("/proc").join(process.to_string());
+    // The number may be another program's by now; and what has ended is there until its parent has looked at it.
+    let program = std::fs::read_link(folder.join("exe")).ok();
+    program.is_some_and(|program| program.file_name() == own_name().as_deref()) && !has_ended(&folder)
+}
+
+fn own_name() -> Option<std::ffi::OsString> {
+    Some(std::env::current_exe().ok()?.file_name()?.to_owned())
+}
+
+/// Whether a process, of which the system tells in this folder, is only waiting for its parent.
+fn has_ended(folder: &Path) -> bool {
+    let stat = std::fs::read_to_string(folder.join("stat")).unwrap_or_default();
+    stat.rsplit_once(") ").is_none_or(|(_, rest)| rest.starts_with(['Z', 'X']))
 }

@@ -2,7 +2,7 @@
 //!
 //! * A [`Format`] is what can be written; [`Format::ALL`] lists them.
 //! * [`mesh_files`] and [`shader_files`] make the bytes of [`File`]s in memory.
-//! * [`write`] then puts all of them into place, or none.
+//! * [`write()`] then puts all of them into place, or none.
 
 mod files;
 mod format;
