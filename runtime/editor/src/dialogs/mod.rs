@@ -53,7 +53,7 @@ impl Dialogs {
         }
     }
 
-    fn is_busy(&self) -> bool {
+    pub(crate) fn is_busy(&self) -> bool {
         self.export.as_ref().is_some_and(export::Export::is_busy)
             || self.record.as_ref().is_some_and(record::Record::is_busy)
     }

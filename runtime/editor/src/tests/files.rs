@@ -73,7 +73,7 @@ fn texts_are_saved_and_shaders_exported() {
     };
     exports(&mut person);
     let mesh = person.file("main.stl");
-    person.until("exported", |_| mesh.exists());
+    person.until("exported", |editor| mesh.exists() && !editor.dialogs.is_busy());
     let triangles = fs::metadata(&mesh).unwrap().len() - 84;
     assert!(triangles > 0 && triangles.is_multiple_of(50), "{triangles}");
     // What is there is not written over without a word.
@@ -85,7 +85,8 @@ fn texts_are_saved_and_shaders_exported() {
     assert_eq!(fs::read(&mesh).unwrap(), b"somebody's work");
     exports(&mut person);
     person.clicks_on("Replace");
-    person.until("exported", |_| fs::metadata(&mesh).unwrap().len() > 84);
+    person.until("exported", |editor| fs::metadata(&mesh).unwrap().len() > 84 && !editor.dialogs.is_busy());
+    person.frames(3);
     person.harness.get_by_role_and_label(egui::Role::ComboBox, "Format").click();
     person.frames(3);
     person.clicks_on("GLSL 330 functions");
