@@ -1,16 +1,8 @@
 //! Lights by name, for programs that have lights of their own.
 
+use chiaro_shader::lights::{DISK, QUAD, RECTANGLE, SPHERE, TUBE, TWO_SIDED, VISIBLE};
 use chiaro_shader::{Light, Setting, Sky};
 use serde::Serialize;
-
-/// The kinds and flags of `light.wgsl`.
-const SPHERE: u32 = 0;
-const DISK: u32 = 1;
-const QUAD: u32 = 2;
-const TUBE: u32 = 3;
-const TWO_SIDED: u32 = 1;
-const VISIBLE: u32 = 2;
-const RECTANGLE: u32 = 4;
 
 /// The studio's sky, as even as its light on surfaces that face upwards, sideways and downwards (`ambient` of `trace_studio.wgsl`).
 const STUDIO: Sky = Sky { zenith: [0.62, 0.64, 0.67], horizon: [0.48, 0.49, 0.51], ground: [0.34, 0.34, 0.35] };

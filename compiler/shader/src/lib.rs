@@ -10,6 +10,7 @@ pub mod bindings;
 mod build;
 mod crowd;
 mod emit;
+pub mod lights;
 mod link;
 mod names;
 mod one_pass;

@@ -1,6 +1,7 @@
 //! Lights as the kernels get them: the Rust side of `light.wgsl`.
 
 use chiaro_shader::Shadows;
+use chiaro_shader::lights::{DISK, ONE_OF_MANY, QUAD, RECTANGLE, SAMPLED, SPHERE, SUN, TUBE, TWO_SIDED, VISIBLE};
 use chiaro_solid::{Emitter, Light, PlacedLight, Scalar, Strength};
 
 use crate::view::View;
@@ -65,18 +66,6 @@ pub struct LightRow {
     pub(crate) radiance: [f32; 4],
     pub(crate) kind: [u32; 4],
 }
-
-const SPHERE: u32 = 0;
-const DISK: u32 = 1;
-const QUAD: u32 = 2;
-const TUBE: u32 = 3;
-const SUN: u32 = 4;
-
-const TWO_SIDED: u32 = 1;
-const VISIBLE: u32 = 2;
-const RECTANGLE: u32 = 4;
-const SAMPLED: u32 = 8;
-const ONE_OF_MANY: u32 = 16;
 
 /// Of more lights than this that share the picture's method, one is drawn for each pixel and sample.
 const MOST_LIGHTS: usize = 8;
