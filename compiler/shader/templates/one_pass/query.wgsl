@@ -18,6 +18,9 @@ const MAX_CONE_STEPS: i32 = 192;
 /// How far ahead a planar silhouette lets a step go, of what it would allow: while looking for contact, and behind it.
 const CONE_LOOKING: f32 = 0.9;
 const CONE_FOLLOWING: f32 = 0.4;
+/// The shortest step, of the cone's radius: where proofs come after, and where what a step leaps over is lost.
+const LEAST_STEP_PROVEN: f32 = 0.6;
+const LEAST_STEP_BELIEVED: f32 = 0.25;
 
 /// A question.
 struct Query {
@@ -111,7 +114,7 @@ fn ask(query: Query) -> Answer {
     // Of a cone.
     var march = march_along(
         query.w, query.sine, query.end, query.n, query.offset,
-        select(0.0, select(CONE_FOLLOWING, CONE_LOOKING, query.looks), query.proves), select(0.25, 0.6, query.proves), query.looks,
+        select(0.0, select(CONE_FOLLOWING, CONE_LOOKING, query.looks), query.proves), select(LEAST_STEP_BELIEVED, LEAST_STEP_PROVEN, query.proves), query.looks,
     );
     march.proves = query.proves;
     var starts_ahead = query.start > 0.0;
