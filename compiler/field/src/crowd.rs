@@ -8,18 +8,19 @@
 //! materials, complements and sharp Booleans. There a bound serves as well as the value, far from the crowd.
 
 mod cells;
-mod pattern;
+mod patterns;
 
 use chiaro_solid::Scalar;
 use rustc_hash::FxHashMap;
 
 use crate::facts::Facts;
 use crate::graph::{Graph, MaterialId, Node, NodeId, Operation};
+use crate::pattern::weights;
 use crate::walk::material_scalars;
-use pattern::{Patterns, weights};
+use patterns::Patterns;
 
+pub use crate::pattern::Pattern;
 pub use cells::{BLOCK_EDGE, Cell, Cells, MOST_DIVISIONS};
-pub use pattern::Pattern;
 
 /// The most crowds of a graph: the largest ones.
 pub const MOST_CROWDS: usize = 8;

@@ -17,7 +17,7 @@ use std::sync::Arc;
 use chiaro_plane::Region;
 use chiaro_solid::{Affine, Joint, Material, Scalar};
 use chiaro_syntax::Span;
-use chiaro_vocabulary::Row;
+use chiaro_vocabulary::{Kind, Row};
 
 use crate::facts::Facts;
 
@@ -38,7 +38,8 @@ pub struct MaterialId(pub u32);
 pub enum Point {
     /// The point that the scene is asked about, with three coordinates. Always point 0.
     World,
-    /// A point mapped by a matrix, local from parent. Maps of maps are fused. It never makes lengths longer. At a
+    /// A point mapped by a matrix, local from parent. Maps of maps are fused, but for those of several shapes that move together
+    /// with live numbers. It never makes lengths longer. At a
     /// plane point, the upper left 2 × 2 entries and the last column's first two count.
     Affine(Affine, PointId),
     /// A point mapped by a warp (to three coordinates) or a section (to two) with its flattened arguments.
@@ -107,6 +108,16 @@ pub struct Graph {
 }
 
 impl Graph {
+    /// How many coordinates a point has: two, if it is a plane point, or else three.
+    pub fn dimension(&self, id: PointId) -> usize {
+        match &self.points[id.0 as usize] {
+            Point::World | Point::Flattened(_) => 3,
+            Point::Affine(_, from) | Point::Confined(_, from) => self.dimension(*from),
+            Point::Warp(row, ..) if row.kind == Kind::Section => 2,
+            Point::Warp(..) => 3,
+        }
+    }
+
     /// Whether it is the same field, from whichever places of the text: then the shaders of one serve the other.
     pub fn is_same_field(&self, other: &Graph) -> bool {
         let Self { points, nodes, facts, spans: _, root, materials, slots } = self;

@@ -5,12 +5,13 @@
 //! * [`lower_with_lineage()`] keeps, beside the graph, what each solid came to: for editors, which go from a surface back
 //!   to the text.
 //! * [`crowd`] finds the large unions of which little matters at any one place, and what matters where.
+//! * [`series`] finds operands that differ by their places and some numbers alone: loops, to who reads the code.
 //! * [`Evaluator`] answers distances and gradients; [`Graph::bounds_at`] boxes at certain values of live numbers.
 //! * [`Painter`] answers how the surface looks; [`paints`] tells who painted what.
 //! * [`print()`] shows a graph as text.
 //!
 //! Inside, `build` keeps graphs free of duplicates, `extent` measures where nodes are, `walk` visits what they refer
-//! to, and `matrix` and `hull` do the arithmetic.
+//! to, `pattern` tells what fields have in common, and `matrix` and `hull` do the arithmetic.
 
 mod at;
 mod build;
@@ -25,7 +26,9 @@ mod lower;
 mod matrix;
 mod painter;
 pub mod paints;
+mod pattern;
 mod print;
+pub mod series;
 mod walk;
 
 pub use chiaro_vocabulary::{Bounds, Class};
@@ -37,3 +40,4 @@ pub use lineage::{Lineage, Step, StepId};
 pub use lower::{lower, lower_with_lineage};
 pub use painter::{Look, Painter, linear_from_srgb};
 pub use print::print;
+pub use series::AllSeries;

@@ -12,11 +12,16 @@ mod numbers;
 mod parts;
 mod pieces;
 mod points;
+mod series;
 mod shapes;
 mod surface;
 
+use std::borrow::Cow;
+use std::mem::{replace, take};
+use std::sync::LazyLock;
+
 use chiaro_field::paints::Paints;
-use chiaro_field::{Crowds, Graph, NodeId, PointId};
+use chiaro_field::{AllSeries, Crowds, Graph, NodeId, PointId};
 use chiaro_solid::Scalar;
 use chiaro_syntax::{Diagnostic, Span};
 use chiaro_vocabulary::Row;
@@ -51,20 +56,18 @@ pub(crate) struct Emitted {
 pub(crate) struct OwnFunction {
     pub(crate) handle: Handle<Function>,
     /// What a reader should know of it; of `scene.wgsl`'s functions, that text knows.
-    pub(crate) comment: &'static str,
+    pub(crate) comment: Cow<'static, str>,
 }
 
 /// What a value that comes from an expression is to be called, if anything is known about that.
 type ToldNames<'g> = &'g dyn Fn(Span) -> Option<String>;
 
+static NO_CROWDS: Crowds = Crowds { crowds: Vec::new(), patterns: Vec::new() };
+static NO_SERIES: LazyLock<AllSeries> = LazyLock::new(AllSeries::default);
+
 /// Emits `scene_distance` and `scene_surface` in the place of a template's stubs, all of it as straight-line code.
-pub(crate) fn emit<'g>(
-    graph: &'g Graph,
-    template: &'static Parsed,
-    told: ToldNames<'g>,
-) -> Result<Emitted, Diagnostic> {
-    static NONE: Crowds = Crowds { crowds: Vec::new(), patterns: Vec::new() };
-    emit_all(graph, &NONE, template, told)
+pub(crate) fn emit(graph: &Graph, template: &'static Parsed) -> Result<Emitted, Diagnostic> {
+    emit_all(graph, &NO_CROWDS, &NO_SERIES, template, &|_| None)
 }
 
 /// The same with loops over the members of these crowds; if there are any, of a template that knows of crowds.
@@ -73,24 +76,35 @@ pub(crate) fn emit_with_crowds(
     crowds: &Crowds,
     template: &'static Parsed,
 ) -> Result<Emitted, Diagnostic> {
-    emit_all(graph, crowds, template, &|_| None)
+    emit_all(graph, crowds, &NO_SERIES, template, &|_| None)
+}
+
+/// The same for people to read: with functions for these series, and values called by these names.
+pub(crate) fn emit_to_read<'g>(
+    graph: &'g Graph,
+    series: &'g AllSeries,
+    template: &'static Parsed,
+    told: ToldNames<'g>,
+) -> Result<Emitted, Diagnostic> {
+    emit_all(graph, &NO_CROWDS, series, template, told)
 }
 
 fn emit_all<'g>(
     graph: &'g Graph,
     crowds: &'g Crowds,
+    series: &'g AllSeries,
     template: &'static Parsed,
     told: ToldNames<'g>,
 ) -> Result<Emitted, Diagnostic> {
-    check_size(graph, crowds)?;
-    let mut emission = Emission::new(graph, crowds, template, told);
+    check_size(graph, crowds, series)?;
+    let mut emission = Emission::new(graph, crowds, series, template, told);
     emission.scene_distance();
     emission.scene_surface();
     emission.finish()
 }
 
 /// How many nodes become code.
-fn emitted_nodes(graph: &Graph, crowds: &Crowds) -> usize {
+fn emitted_nodes(graph: &Graph, crowds: &Crowds, series: &AllSeries) -> usize {
     let mut patterns: Vec<usize> = crowds.crowds.iter().flat_map(|crowd| crowd.patterns.iter().copied()).collect();
     patterns.sort_unstable();
     patterns.dedup();
@@ -99,21 +113,22 @@ fn emitted_nodes(graph: &Graph, crowds: &Crowds) -> usize {
     for member in crowds.crowds.iter().flat_map(|crowd| &crowd.members) {
         is_member[member.node.0 as usize] = true;
     }
+    let within = series.series.iter().map(|series| emitted_nodes(&series.pattern.graph, &NO_CROWDS, &series.within));
     let mut counts = vec![false; graph.nodes.len()];
     counts[graph.root.0 as usize] = true;
     // What refers stands behind what it refers to.
     for (index, node) in graph.nodes.iter().enumerate().rev().filter(|(index, _)| *index <= graph.root.0 as usize) {
         let children = node.children().iter().filter(|child| !is_member[child.0 as usize]);
-        if counts[index] {
+        if counts[index] && series.of_member(NodeId(index as u32)).is_none() {
             children.for_each(|child| counts[child.0 as usize] = true);
         }
     }
-    patterns + counts.into_iter().filter(|counts| *counts).count()
+    patterns + within.sum::<usize>() + counts.into_iter().filter(|counts| *counts).count()
 }
 
-fn check_size(graph: &Graph, crowds: &Crowds) -> Result<(), Diagnostic> {
+fn check_size(graph: &Graph, crowds: &Crowds, series: &AllSeries) -> Result<(), Diagnostic> {
     let root = graph.spans.get(graph.root.0 as usize).copied();
-    let count = emitted_nodes(graph, crowds);
+    let count = emitted_nodes(graph, crowds, series);
     if count > MAX_NODES {
         let message = format!("too many shapes for one shader: {count}, of at most {MAX_NODES}");
         return Err(Diagnostic::error(root, message)
@@ -141,6 +156,8 @@ struct Emission<'g> {
     types: Types,
     names: Names,
     node_names: FxHashMap<NodeId, String>,
+    /// The names of values, with the text that they come from.
+    named: FxHashMap<String, Span>,
     point_names: FxHashMap<PointId, String>,
     /// Where live numbers are.
     slots: FxHashMap<&'g Scalar, usize>,
@@ -149,8 +166,11 @@ struct Emission<'g> {
     parts: parts::Parts,
     paints: Paints,
     crowds: crowds::CrowdParts<'g>,
-    /// Whether the graph is a pattern's.
+    series: series::SeriesParts<'g>,
+    /// Whether the graph is that of a crowd's pattern.
     is_in_pattern: bool,
+    /// Whether the graph is that of a series whose world is a plane.
+    is_in_plane: bool,
     /// The type `Surface`.
     surface_type: Handle<Type>,
     tables: TablesBuilder,
@@ -167,7 +187,13 @@ struct Emission<'g> {
 }
 
 impl<'g> Emission<'g> {
-    fn new(graph: &'g Graph, crowds: &'g Crowds, template: &'static Parsed, told: ToldNames<'g>) -> Self {
+    fn new(
+        graph: &'g Graph,
+        crowds: &'g Crowds,
+        series: &'g AllSeries,
+        template: &'static Parsed,
+        told: ToldNames<'g>,
+    ) -> Self {
         let stub = &template.module.functions[template.functions["scene_surface"]];
         let Some(surface) = &stub.result else { unreachable!("scene.wgsl declares the result") };
         let mut linker = Linker::new(template);
@@ -179,13 +205,16 @@ impl<'g> Emission<'g> {
             types,
             names: Names::new(template.functions.keys().cloned()),
             node_names: FxHashMap::default(),
+            named: FxHashMap::default(),
             point_names: FxHashMap::default(),
             slots: numbers::slots(graph),
             live_variable: None,
-            parts: parts::Parts::new(graph),
+            parts: parts::Parts::new(graph, series),
             paints: Paints::new(graph),
             crowds: crowds::CrowdParts::new(crowds),
+            series: series::SeriesParts::new(series),
             is_in_pattern: false,
+            is_in_plane: false,
             surface_type: surface.ty,
             tables: TablesBuilder::default(),
             tables_variable: None,
@@ -215,22 +244,42 @@ impl<'g> Emission<'g> {
 
     fn replace(&mut self, stub: &str, function: Function) {
         let handle = self.linker.replace(stub, function);
-        self.functions.push(OwnFunction { handle, comment: "" });
+        self.functions.push(OwnFunction { handle, comment: Cow::default() });
     }
 
     /// Adds a function that stands for some of the graph.
-    fn define(&mut self, function: Function, comment: &'static str) -> Handle<Function> {
+    fn define(&mut self, function: Function, comment: impl Into<Cow<'static, str>>) -> Handle<Function> {
         let handle = self.linker.define(function);
-        self.functions.push(OwnFunction { handle, comment });
+        self.functions.push(OwnFunction { handle, comment: comment.into() });
         handle
+    }
+
+    /// Emits something of another graph, which has these series.
+    fn within<R>(&mut self, graph: &'g Graph, series: &'g AllSeries, emit: impl FnOnce(&mut Self) -> R) -> R {
+        let graph = replace(&mut self.graph, graph);
+        let parts = replace(&mut self.parts, parts::Parts::new(self.graph, series));
+        let paints = replace(&mut self.paints, Paints::new(self.graph));
+        let series = replace(&mut self.series, series::SeriesParts::new(series));
+        let node_names = take(&mut self.node_names);
+        let point_names = take(&mut self.point_names);
+        let emitted = emit(self);
+        (self.graph, self.parts, self.paints, self.series) = (graph, parts, paints, series);
+        (self.node_names, self.point_names) = (node_names, point_names);
+        emitted
+    }
+
+    /// What values of a node are called, but for letters behind it.
+    fn told_name(&self, node: NodeId) -> String {
+        let kind = shapes::kind(self.graph, node);
+        let told = self.graph.spans.get(node.0 as usize).and_then(|span| (self.told)(*span));
+        told.map_or(kind.to_owned(), |own| format!("{own}_{kind}"))
     }
 
     fn finish(self) -> Result<Emitted, Diagnostic> {
         match self.failure {
             Some(failure) => Err(failure),
             None => {
-                let span = |node: NodeId| self.graph.spans.get(node.0 as usize).copied();
-                let names = self.node_names.into_iter().filter_map(|(node, name)| Some((name, span(node)?))).collect();
+                let names = self.named;
                 let (module, tables) = (self.linker.finish(), self.tables.finish());
                 Ok(Emitted { module, tables, functions: self.functions, names })
             }
@@ -256,6 +305,8 @@ struct Scope<'e, 'g> {
     row: Option<Value>,
     /// The numbers of it, four at a time.
     row_numbers: FxHashMap<usize, Value>,
+    /// The numbers that the function is told.
+    told: FxHashMap<&'g Scalar, Value>,
     /// Live numbers by slot.
     live: FxHashMap<usize, Value>,
     /// How nodes look, depending on how they look where nobody painted them.
@@ -266,9 +317,9 @@ struct Scope<'e, 'g> {
 }
 
 impl<'e, 'g> Scope<'e, 'g> {
-    /// A function of a point of space.
+    /// A function of a point of the graph's world.
     fn new(emission: &'e mut Emission<'g>, name: &str, result: Handle<Type>) -> Self {
-        let point = emission.types.vec3;
+        let point = if emission.is_in_plane { emission.types.vec2 } else { emission.types.vec3 };
         Self::of_point(emission, name, point, result)
     }
 
@@ -284,6 +335,7 @@ impl<'e, 'g> Scope<'e, 'g> {
             crowd_distances: FxHashMap::default(),
             row: None,
             row_numbers: FxHashMap::default(),
+            told: FxHashMap::default(),
             live: FxHashMap::default(),
             appearances: FxHashMap::default(),
             colors: FxHashMap::default(),
@@ -313,14 +365,16 @@ impl<'e, 'g> Scope<'e, 'g> {
     }
 
     /// Names a node's value as everywhere.
-    fn name_node(&mut self, value: Value, node: NodeId, prefix: &'static str) -> Value {
-        let Emission { graph, told, names, node_names, .. } = &mut *self.emission;
-        let told = || graph.spans.get(node.0 as usize).and_then(|span| told(*span));
-        let name = || match told() {
-            Some(own) => names.next(&format!("{own}_{prefix}")),
-            None => names.next(prefix),
-        };
-        let name = node_names.entry(node).or_insert_with(name).clone();
+    fn name_node(&mut self, value: Value, node: NodeId) -> Value {
+        if let Some(name) = self.emission.node_names.get(&node) {
+            return self.builder.name(value, name.clone());
+        }
+        let told = self.emission.told_name(node);
+        let name = self.emission.names.next(&told);
+        self.emission.node_names.insert(node, name.clone());
+        if let Some(span) = self.emission.graph.spans.get(node.0 as usize) {
+            self.emission.named.insert(name.clone(), *span);
+        }
         self.builder.name(value, name)
     }
 

@@ -25,7 +25,7 @@ pub struct Shader {
 /// Splices a scene into a template, as straight-line code. An error says that the scene is too large for a shader, or holds
 /// a NaN.
 pub fn splice(graph: &Graph, template: Template) -> Result<Shader, Diagnostic> {
-    Ok(Shader::new(graph, emit(graph, template.parsed(), &|_| None)?))
+    Ok(Shader::new(graph, emit(graph, template.parsed())?))
 }
 
 /// Splices a scene into a template with loops over the members of its crowds: the module is the same for scenes whose

@@ -1,17 +1,18 @@
 //! A scene as readable WGSL: the vocabulary's own text, with its comments, above the scene's functions.
 
+mod loops;
 mod spelling;
 
 use std::fmt::Write;
 
-use chiaro_field::Graph;
+use chiaro_field::{AllSeries, Graph};
 use chiaro_syntax::{Diagnostic, Span};
 use naga::back::wgsl::{WriterFlags, write_string};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{AddressSpace, ArraySize, Function, Handle, Module, TypeInner};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::emit::{Emitted, OwnFunction, emit};
+use crate::emit::{Emitted, OwnFunction, emit, emit_to_read};
 use crate::tables::Tables;
 use crate::template::{SCENE, Template};
 
@@ -51,7 +52,7 @@ pub fn wgsl(graph: &Graph) -> Result<String, Diagnostic> {
 
 /// The same, with what its lines stand for.
 pub fn listing(graph: &Graph) -> Result<Listing, Diagnostic> {
-    let emitted = emit(graph, Template::Library.parsed(), &|_| None)?;
+    let emitted = emit(graph, Template::Library.parsed())?;
     let Library { vocabulary, functions, lines, .. } = library_of(&emitted, "")?;
     let above = vocabulary + &variables(&emitted.module);
     let first = above.lines().count();
@@ -61,7 +62,8 @@ pub fn listing(graph: &Graph) -> Result<Listing, Diagnostic> {
 
 /// The same in parts, with values called by these names, for a text that mentions functions and constants of the vocabulary.
 pub fn library(graph: &Graph, names: Names, caller: &str) -> Result<Library, Diagnostic> {
-    let mut emitted = emit(graph, Template::Library.parsed(), names)?;
+    let series = AllSeries::of(graph);
+    let mut emitted = emit_to_read(graph, &series, Template::Library.parsed(), names)?;
     let tables = std::mem::take(&mut emitted.tables);
     Ok(Library { tables, ..library_of(&emitted, caller)? })
 }
@@ -166,11 +168,11 @@ fn own_text(emitted: &Emitted) -> Result<String, Diagnostic> {
         .map_err(|error| Diagnostic::error(None, format!("this scene makes invalid WGSL: {error}")))?;
     let texts = function_texts(&written);
     let mut text = String::new();
-    for &OwnFunction { handle, comment } in &emitted.functions {
-        let function = &emitted.module.functions[handle];
+    for OwnFunction { handle, comment } in &emitted.functions {
+        let function = &emitted.module.functions[*handle];
         let Some(own) = function.name.as_deref().and_then(|name| texts.get(name)) else { continue };
         text += if comment.is_empty() { stub_comment(function) } else { comment };
-        text += &spelling::tidied(&unwrapped(&renamed(own, function)));
+        text += &spelling::tidied(&loops::as_written(&unwrapped(&renamed(own, function))));
         text += "\n";
     }
     Ok(text)

@@ -3,13 +3,14 @@
 
 mod engines;
 mod godot;
+mod series;
 mod support;
 
 use chiaro_compiler::export::{Language, Package, Target};
-use chiaro_compiler::field::Evaluator;
+use chiaro_compiler::field::{Evaluator, Painter};
 use chiaro_compiler::vocabulary::Bounds;
 use chiaro_tests::sampling::Random;
-use support::{Example, Stage, compiled_by_glslang, distances_on_gpu, examples, validated, validated_by_naga};
+use support::{Example, Stage, answers_on_gpu, compiled_by_glslang, examples, validated, validated_by_naga};
 
 #[test]
 fn wgsl_is_valid() {
@@ -50,21 +51,53 @@ const RELATIVE: f64 = 4.0 / 16_777_216.0;
 fn distances_are_those_of_the_cpu() {
     let mut table = String::from("scene, largest difference in millimetres in GLSL and in HLSL\n");
     for example in examples() {
-        let root = &example.graph.facts[example.graph.root.0 as usize];
-        let bounds = chiaro_tests::sampling::sample_box(&root.bounds);
-        let points = random_points(&bounds, 10_000);
-        let evaluator = Evaluator::new(&example.graph, &example.values);
-        let expected: Vec<f64> = points.iter().map(|point| evaluator.distance(point.map(f64::from))).collect();
-        let allowed = RELATIVE * bounds.diagonal() * root.lipschitz.max(1.0);
-        let differences = [Language::Glsl450, Language::Hlsl].map(|language| {
-            let found = distances_on_gpu(&example, language, &points);
-            let difference = |(found, expected): (&f32, &f64)| (f64::from(*found) - expected).abs();
-            found.iter().zip(&expected).map(difference).fold(0.0, f64::max)
-        });
+        let (differences, allowed) = differences(&example, 10_000);
         table += &format!("{}, {:.2e}, {:.2e}, of {allowed:.2e}\n", example.name, differences[0], differences[1]);
         assert!(differences.iter().all(|difference| *difference <= allowed), "{table}");
     }
     std::fs::write(concat!(env!("CARGO_TARGET_TMPDIR"), "/distances.csv"), table).unwrap();
+}
+
+/// How far off the distances of a library in GLSL and in HLSL are at so many points, and how far they may be.
+fn differences(example: &Example, count: usize) -> ([f64; 2], f64) {
+    let root = &example.graph.facts[example.graph.root.0 as usize];
+    let bounds = chiaro_tests::sampling::sample_box(&root.bounds);
+    let points = random_points(&bounds, count);
+    let evaluator = Evaluator::new(&example.graph, &example.values);
+    let expected: Vec<f64> = points.iter().map(|point| evaluator.distance(point.map(f64::from))).collect();
+    let differences = [Language::Glsl450, Language::Hlsl].map(|language| {
+        let found = answers_on_gpu(example, language, "scene_distance(p)", &points);
+        let difference = |(found, expected): (&f32, &f64)| (f64::from(*found) - expected).abs();
+        found.iter().zip(&expected).map(difference).fold(0.0, f64::max)
+    });
+    (differences, RELATIVE * bounds.diagonal() * root.lipschitz.max(1.0))
+}
+
+/// Of all points this part may lie where two materials are as near as rounding can tell.
+const AT_EDGES: f64 = 0.01;
+
+#[test]
+fn materials_are_those_of_the_cpu() {
+    for example in examples() {
+        let (found, expected) = colors(&example, 4_000);
+        let differ = found.iter().zip(&expected).filter(|(a, b)| (**a - **b).abs() > 0.02).count();
+        assert!(differ as f64 <= AT_EDGES * found.len() as f64, "{}: {differ} of {}", example.name, found.len());
+    }
+}
+
+/// One number for the linear colours of a scene at some points: as a library in GLSL has it on the graphics adapter, and as the CPU.
+fn colors(example: &Example, count: usize) -> (Vec<f32>, Vec<f32>) {
+    let bounds = chiaro_tests::sampling::sample_box(&example.graph.facts[example.graph.root.0 as usize].bounds);
+    let points = random_points(&bounds, count);
+    let (evaluator, painter) =
+        (Evaluator::new(&example.graph, &example.values), Painter::new(&example.graph, &example.values));
+    let asked = "dot(scene_surface(p).color.rgb, vec3(1.0, 2.0, 4.0))";
+    let found = answers_on_gpu(example, Language::Glsl450, asked, &points);
+    let expected = points.iter().map(|point| {
+        let [red, green, blue, _] = painter.look(&evaluator, point.map(f64::from)).color;
+        (red + 2.0 * green + 4.0 * blue) as f32
+    });
+    (found, expected.collect())
 }
 
 fn random_points(bounds: &Bounds, count: usize) -> Vec<[f32; 3]> {

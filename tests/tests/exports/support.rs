@@ -144,26 +144,31 @@ pub(crate) fn validated(name: &str, words: &[u8]) {
     assert!(result.status.success(), "{name}: {}", String::from_utf8_lossy(&result.stderr));
 }
 
-/// What an exported library answers at these points, compiled by glslang and run on the graphics adapter.
-pub(crate) fn distances_on_gpu(example: &Example, language: Language, points: &[[f32; 3]]) -> Vec<f32> {
+/// What an exported library answers when it is asked for a number at these points p, compiled by glslang and run on the graphics
+/// adapter.
+pub(crate) fn answers_on_gpu(example: &Example, language: Language, asked: &str, points: &[[f32; 3]]) -> Vec<f32> {
     let library = example.text(Target::Library(language));
     let constants: String = library.lines().filter_map(default_of).collect();
     let words = match language {
         Language::Hlsl => {
             let text =
                 with_constants(&library, "cbuffer Parameters {", "};\n", &constants.replace("const ", "static const "));
-            let main = "\n[[vk::binding(0)]] StructuredBuffer<float4> points_asked;\n[[vk::binding(1)]] RWStructuredBuffer<float> answers;\n\
-                        [numthreads(64, 1, 1)] void distances(uint3 id : SV_DispatchThreadID) {\n\
-                        answers[id.x] = scene_distance(points_asked[id.x].xyz);\n}\n";
-            compiled_by_glslang(&example.name, &(text + main), Stage::HlslCompute)
+            let main = format!(
+                "\n[[vk::binding(0)]] StructuredBuffer<float4> points_asked;\n[[vk::binding(1)]] RWStructuredBuffer<float> answers;\n\
+                 [numthreads(64, 1, 1)] void distances(uint3 id : SV_DispatchThreadID) {{\n\
+                 float3 p = points_asked[id.x].xyz;\nanswers[id.x] = {asked};\n}}\n"
+            );
+            compiled_by_glslang(&example.name, &(text + &main), Stage::HlslCompute)
         }
         _ => {
             let uniforms = library.lines().filter(|line| !line.starts_with("uniform ")).collect::<Vec<_>>().join("\n");
             let head = "#version 450\nlayout(local_size_x = 64) in;\n\
                         layout(std430, binding = 0) readonly buffer Points { vec4 points_asked[]; };\n\
                         layout(std430, binding = 1) buffer Answers { float answers[]; };\n";
-            let main = "\nvoid main() { uint i = gl_GlobalInvocationID.x; answers[i] = scene_distance(points_asked[i].xyz); }\n";
-            compiled_by_glslang(&example.name, &[head, &constants, &uniforms, main].concat(), Stage::Compute)
+            let main = format!(
+                "\nvoid main() {{\nuint i = gl_GlobalInvocationID.x;\nvec3 p = points_asked[i].xyz;\nanswers[i] = {asked};\n}}\n"
+            );
+            compiled_by_glslang(&example.name, &[head, &constants, &uniforms, &main].concat(), Stage::Compute)
         }
     };
     run(&words, if language == Language::Hlsl { "distances" } else { "main" }, points)

@@ -12,9 +12,9 @@ use chiaro_vocabulary::{Bounds, Class};
 use rustc_hash::FxHashMap;
 
 use super::Crowd;
-use super::pattern::weights;
 use crate::evaluate::Evaluator;
 use crate::graph::Graph;
+use crate::pattern::weights;
 
 /// How many cells a block has along each edge.
 pub const BLOCK_EDGE: u32 = 4;

@@ -20,6 +20,8 @@ impl Lowering {
         context: &Context,
         span: Span,
     ) -> Option<NodeId> {
+        let moved = self.moved(context);
+        let context = moved.as_deref().unwrap_or(context);
         let settled = joint.map(|_| self.settled(context));
         let below = settled.as_deref().unwrap_or(context);
         let joint = joint.map(|joint| Joint { profile: joint.profile, radius: below.length(&joint.radius) });

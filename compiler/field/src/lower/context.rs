@@ -17,7 +17,7 @@ use crate::matrix::{self, condition, constant_rows, linear, magnitude, orthogona
 pub(super) struct Context {
     /// Its number: equal for equal contexts of shared subtrees.
     pub(super) id: u32,
-    /// The point that maps start from; no [`Point::Affine`](crate::Point::Affine).
+    /// The point that maps start from: a [`Point::Affine`](crate::Point::Affine) only where several solids move together.
     pub(super) base: PointId,
     /// From lengths in millimetres of the world to the base point; it makes no length shorter.
     pub(super) forward: Affine,
@@ -93,6 +93,25 @@ impl Lowering {
                 below.best = Class::Bound;
             }
         })
+    }
+
+    /// The context of several solids that move together with live numbers, if they do and keep their shapes: they start from a
+    /// point that is moved once for all of them, and their own maps stay constant.
+    #[inline(never)]
+    pub(super) fn moved(&mut self, context: &Context) -> Option<Box<Context>> {
+        let is_constant = |map: &Affine| map.rows().iter().flatten().all(|number| number.constant().is_some());
+        let keeps_shapes = matches!(context.open_transforms().similarity(), Similarity::Uniform(_));
+        if is_constant(&context.forward) && is_constant(&context.since) || !keeps_shapes {
+            return None;
+        }
+        let place = self.place(context);
+        let base = self.point_at(context.base, &place.forward, false);
+        Some(self.derive(context, |below| {
+            below.base = base;
+            below.forward = Affine::identity();
+            below.size = place.size;
+            below.since = Affine::identity();
+        }))
     }
 
     /// Where a shape is to be put. If lengths are stretched, distances count by the direction they are stretched

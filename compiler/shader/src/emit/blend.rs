@@ -1,6 +1,6 @@
 //! Booleans: sharp ones are chains of minima or maxima, joints the formula of the vocabulary.
 
-use chiaro_field::{Node, NodeId, Operation};
+use chiaro_field::{NodeId, Operation};
 use chiaro_solid::{Joint, Profile};
 use chiaro_vocabulary::rows::{JOINT_CHAMFER, JOINT_FILLET, JOINT_SMOOTH, JOINT_STEP, JOINT_TERM, joint_steps};
 use naga::MathFunction;
@@ -25,33 +25,18 @@ pub(super) struct Joined {
 impl Scope<'_, '_> {
     /// The least or greatest of the children.
     pub(super) fn sharp(&mut self, id: NodeId, operation: Operation, children: &[NodeId]) -> Value {
-        let value = match (self.emission.crowd_of(id), self.emission.parts.is_large(id)) {
-            (Some(crowd), _) => self.crowd_and_others(crowd),
-            (None, true) => self.reduced_by_parts(operation, children),
-            (None, false) => self.reduced_here(operation, children),
+        let value = match self.emission.crowd_of(id) {
+            Some(crowd) => self.crowd_and_others(crowd),
+            None => self.reduced_with(operation, Vec::new(), children),
         };
-        let nodes = &self.emission.graph.nodes;
-        let prefix = match operation {
-            Operation::Union => "union",
-            Operation::Intersection => {
-                match children.iter().any(|child| matches!(nodes[child.0 as usize], Node::Negate(_))) {
-                    true => "difference",
-                    false => "intersection",
-                }
-            }
-        };
-        self.name_node(value, id, prefix)
+        self.name_node(value, id)
     }
 
     /// The least of a crowd's members and of the operands that are none.
     fn crowd_and_others(&mut self, crowd: usize) -> Value {
         let members = self.crowd_distance(crowd);
         let others = &self.emission.crowds.crowd(crowd).others;
-        if others.is_empty() {
-            return members;
-        }
-        let others = self.reduced_by_parts(Operation::Union, others);
-        self.chain(Operation::Union, &[members, others])
+        self.reduced_with(Operation::Union, vec![members], others)
     }
 
     /// The least or greatest of the values.
@@ -111,7 +96,7 @@ impl Scope<'_, '_> {
             }
             _ => self.joint_of_many(&distances, radius, exponent),
         };
-        let joint = self.name_node(joint, id, "joint");
+        let joint = self.name_node(joint, id);
         let joined = Joined { distances, joint, radius, exponent };
         self.joints.insert(id, joined.clone());
         joined

@@ -4,21 +4,20 @@
 //! code of a branch under a mask, but leave loops after one round. The code depends on the patterns alone: scenes whose
 //! members differ by numbers have the same.
 
-use std::mem::{replace, take};
+use std::mem::replace;
 
 use chiaro_field::crowd::{Crowd, Pattern};
-use chiaro_field::{Crowds, Graph, NodeId};
+use chiaro_field::{Crowds, NodeId};
 use naga::{BinaryOperator, Block, Expression, Function, Handle, Literal, Statement};
 use rustc_hash::FxHashMap;
 
 use super::numbers::slots;
-use super::parts::Parts;
 use super::shapes::FAR;
 use super::surface::Look;
-use super::{Emission, Scope};
+use super::{Emission, NO_SERIES, Scope};
 use crate::build::Value;
 use crate::crowd::{GRID_ROWS, PATTERN_BITS};
-use chiaro_field::paints::{Painted, Paints};
+use chiaro_field::paints::Painted;
 
 /// The crowds of a scene that is being emitted.
 pub(super) struct CrowdParts<'g> {
@@ -111,7 +110,7 @@ impl<'g> Emission<'g> {
         if let Some(&known) = self.crowds.pattern_distances.get(&index) {
             return known;
         }
-        let handle = self.within(&pattern.graph, |emission| {
+        let handle = self.within_pattern(pattern, |emission| {
             let name = emission.names.next("pattern");
             let (float, index) = (emission.types.float, emission.types.index);
             let mut scope = Scope::new(emission, &name, float);
@@ -128,7 +127,7 @@ impl<'g> Emission<'g> {
         if let Some(&known) = self.crowds.pattern_surfaces.get(&index) {
             return known;
         }
-        let handle = self.within(&pattern.graph, |emission| {
+        let handle = self.within_pattern(pattern, |emission| {
             let name = emission.names.next("pattern_surface");
             let (surface, index) = (emission.surface_type, emission.types.index);
             let mut scope = Scope::new(emission, &name, surface);
@@ -143,18 +142,12 @@ impl<'g> Emission<'g> {
         handle
     }
 
-    /// Emits something of another graph, whose live numbers are those of a row.
-    fn within<R>(&mut self, graph: &'g Graph, emit: impl FnOnce(&mut Self) -> R) -> R {
-        let graph = replace(&mut self.graph, graph);
-        let parts = replace(&mut self.parts, Parts::new(self.graph));
-        let paints = replace(&mut self.paints, Paints::new(self.graph));
-        let slots = replace(&mut self.slots, slots(self.graph));
-        let node_names = take(&mut self.node_names);
-        let point_names = take(&mut self.point_names);
+    /// Emits something of a pattern, whose live numbers are those of a row.
+    fn within_pattern<R>(&mut self, pattern: &'g Pattern, emit: impl FnOnce(&mut Self) -> R) -> R {
+        let slots = replace(&mut self.slots, slots(&pattern.graph));
         let is_in_pattern = replace(&mut self.is_in_pattern, true);
-        let emitted = emit(self);
-        (self.graph, self.parts, self.paints, self.slots) = (graph, parts, paints, slots);
-        (self.node_names, self.point_names, self.is_in_pattern) = (node_names, point_names, is_in_pattern);
+        let emitted = self.within(&pattern.graph, &NO_SERIES, emit);
+        (self.slots, self.is_in_pattern) = (slots, is_in_pattern);
         emitted
     }
 }

@@ -39,8 +39,9 @@ impl Emission<'_> {
 }
 
 impl Scope<'_, '_> {
-    /// The least of all nodes in the lists: of cheap ones by themselves, then of costly ones where they count.
-    pub(super) fn least(&mut self, lists: Vec<Vec<NodeId>>) -> Value {
+    /// The least of some values and of all nodes in the lists: of cheap ones by themselves, then of costly ones where they
+    /// count.
+    pub(super) fn least(&mut self, mut values: Vec<Value>, lists: Vec<Vec<NodeId>>) -> Value {
         let mut cheap = Vec::new();
         let mut guarded = Vec::new();
         for list in lists {
@@ -49,10 +50,10 @@ impl Scope<'_, '_> {
                 Err(list) => cheap.push(list),
             }
         }
-        if cheap.is_empty() && !guarded.is_empty() {
+        if values.is_empty() && cheap.is_empty() && !guarded.is_empty() {
             cheap.push(guarded.remove(0).nodes);
         }
-        let values: Vec<Value> = cheap.into_iter().map(|list| self.list(Operation::Union, list)).collect();
+        values.extend(cheap.into_iter().map(|list| self.list(Operation::Union, list)));
         let least = self.chain(Operation::Union, &values);
         if guarded.is_empty() { least } else { self.least_guarded(least, guarded) }
     }
@@ -74,9 +75,13 @@ impl Scope<'_, '_> {
                 reach = self.builder.binary(BinaryOperator::Multiply, reach, growth);
             }
             let condition = self.builder.binary(BinaryOperator::LessEqual, gap, reach);
+            let member = self.only_member(&nodes);
 
             self.builder.open();
-            let value = self.by_part(Operation::Union, nodes);
+            let value = match member {
+                Some((function, arguments)) => self.builder.call(function, &arguments),
+                None => self.by_part(Operation::Union, nodes),
+            };
             let nearer = self.builder.math(MathFunction::Min, so_far, Some(value));
             self.builder.store(nearest, nearer);
             let accept = self.builder.close();

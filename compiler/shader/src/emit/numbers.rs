@@ -1,4 +1,4 @@
-//! Numbers: literals, and live ones from the uniform, or from the row of a crowd's member.
+//! Numbers: literals; live ones from the uniform, or from the row of a crowd's member; and arguments of a series' pattern.
 
 use std::num::NonZeroU32;
 
@@ -28,7 +28,7 @@ impl Emission<'_> {
         if let Some(variable) = self.live_variable {
             return variable;
         }
-        let length = NonZeroU32::new(self.graph.slots.len().div_ceil(4) as u32).unwrap_or(NonZeroU32::MIN);
+        let length = NonZeroU32::new(self.slots.len().div_ceil(4) as u32).unwrap_or(NonZeroU32::MIN);
         let inner = TypeInner::Array { base: self.types.vec4, size: ArraySize::Constant(length), stride: 16 };
         let module = self.linker.module();
         let ty = module.types.insert(Type { name: None, inner }, Span::UNDEFINED);
@@ -79,6 +79,9 @@ impl Scope<'_, '_> {
     }
 
     fn live(&mut self, scalar: &Scalar) -> Value {
+        if let Some(&told) = self.told.get(scalar) {
+            return told;
+        }
         let Some(&slot) = self.emission.slots.get(scalar) else {
             self.emission.fail("a live number of this shape has no slot in the field graph");
             return self.builder.literal(0.0);

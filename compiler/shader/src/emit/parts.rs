@@ -4,9 +4,10 @@
 //! functions of their own, some at a time, neighbours together; and a large node that several others refer to is one
 //! function, so that what they share isn't copied into each.
 
-use chiaro_field::{Bounds, Graph, Node, NodeId, Operation};
+use chiaro_field::paints::Painted;
+use chiaro_field::{AllSeries, Bounds, Graph, Node, NodeId, Operation, Point, PointId};
 use naga::{Function, Handle};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{Emission, Scope};
 use crate::build::Value;
@@ -15,6 +16,8 @@ use crate::build::Value;
 const LARGE: u32 = 128;
 /// The most nodes of a function for some operands of a large Boolean, which are divided in space.
 const PART: u32 = 64;
+/// So many operands of a series that look the same are a function, which `scene_distance` and `scene_surface` both call.
+const MANY_IN_SERIES: usize = 4;
 /// In large scenes, a shared node of this many is a function of its own.
 const LARGE_SHARED: u32 = 32;
 
@@ -28,12 +31,14 @@ pub(super) struct Parts {
     bounds: Vec<Bounds>,
     /// How many nodes refer to each node.
     uses: Vec<u32>,
+    /// How many nodes and points refer to each point.
+    point_uses: Vec<u32>,
     is_divided: bool,
     functions: FxHashMap<(Operation, Vec<NodeId>), Handle<Function>>,
 }
 
 impl Parts {
-    pub(super) fn new(graph: &Graph) -> Self {
+    pub(super) fn new(graph: &Graph, series: &AllSeries) -> Self {
         let mut weights: Vec<u32> = Vec::with_capacity(graph.nodes.len());
         let mut costs: Vec<u32> = Vec::with_capacity(graph.nodes.len());
         let mut uses = vec![0; graph.nodes.len()];
@@ -44,17 +49,29 @@ impl Parts {
                 cost = cost.saturating_add(costs[child.0 as usize]);
                 uses[child.0 as usize] += 1;
             }
-            weights.push(weight);
+            // A member is a call of its series' function.
+            let is_member = series.of_member(NodeId(weights.len() as u32)).is_some();
+            weights.push(if is_member { 1 } else { weight });
             costs.push(cost);
+        }
+        let mut point_uses = vec![0; graph.points.len()];
+        let of_nodes = graph.nodes.iter().filter_map(Node::point);
+        for point in of_nodes.chain(graph.points.iter().filter_map(Point::parent)) {
+            point_uses[point.0 as usize] += 1;
         }
         let bounds = graph.facts.iter().map(|facts| facts.bounds).collect();
         let is_divided = weights[graph.root.0 as usize] > LARGE;
-        Self { weights, costs, bounds, uses, is_divided, functions: FxHashMap::default() }
+        Self { weights, costs, bounds, uses, point_uses, is_divided, functions: FxHashMap::default() }
     }
 
-    /// Whether the node is too much for one function.
-    pub(super) fn is_large(&self, id: NodeId) -> bool {
-        self.weight(id) > LARGE
+    /// Whether the nodes are too much for one function.
+    fn are_large(&self, nodes: &[NodeId]) -> bool {
+        self.weight_of(nodes) >= LARGE
+    }
+
+    /// How many nodes and points refer to a point.
+    pub(super) fn uses_of_point(&self, id: PointId) -> u32 {
+        self.point_uses[id.0 as usize]
     }
 
     /// Whether several nodes refer to this one.
@@ -139,48 +156,88 @@ fn own_cost(node: &Node) -> u32 {
 }
 
 impl Emission<'_> {
-    /// The operands of a large sharp Boolean in lists for one function each: where they can be, those that
-    /// `scene_surface` asks for too, by material.
-    fn lists_by_material(&self, nodes: &[NodeId]) -> Vec<Vec<NodeId>> {
+    /// The operands of a sharp Boolean in lists for one function each, of single ones for none: where they can be, those that
+    /// `scene_surface` asks for too, by series and material.
+    fn lists(&self, nodes: &[NodeId]) -> Vec<Vec<NodeId>> {
+        let of_group = |group: &Vec<NodeId>| self.parts.lists(group);
+        if self.parts.are_large(nodes) {
+            return self.parts.packed(self.groups(nodes).iter().flat_map(of_group).collect());
+        }
+        let series: Vec<Vec<NodeId>> = self.groups(nodes).into_iter().filter(|group| self.is_series(group)).collect();
+        let in_series: FxHashSet<NodeId> = series.iter().flatten().copied().collect();
+        let others = nodes.iter().filter(|node| !in_series.contains(node)).map(|node| vec![*node]);
+        series.iter().flat_map(of_group).chain(others).collect()
+    }
+
+    /// The nodes, which look the same, in lists for functions that there are already or that are worthwhile.
+    fn lists_alike(&self, nodes: &[NodeId]) -> Vec<Vec<NodeId>> {
+        let lists: Vec<Vec<NodeId>> = self.groups(nodes).iter().flat_map(|group| self.parts.lists(group)).collect();
+        match &lists[..] {
+            [_] => lists,
+            _ if lists.iter().any(|list| self.is_series(list)) || self.parts.is_divided => lists,
+            _ => vec![nodes.to_vec()],
+        }
+    }
+
+    /// The nodes by their series and materials.
+    fn groups(&self, nodes: &[NodeId]) -> Vec<Vec<NodeId>> {
         let mut groups: Vec<Vec<NodeId>> = Vec::new();
-        let mut group_of = FxHashMap::default();
+        let mut group_of: FxHashMap<(Painted, Option<usize>), usize> = FxHashMap::default();
         for &node in nodes {
-            let group = *group_of.entry(self.paints.painted(node)).or_insert_with(|| {
+            let key = (self.paints.painted(node), self.series.of_operand(node));
+            let group = *group_of.entry(key).or_insert_with(|| {
                 groups.push(Vec::new());
                 groups.len() - 1
             });
             groups[group].push(node);
         }
-        self.parts.packed(groups.iter().flat_map(|group| self.parts.lists(group)).collect())
+        groups
+    }
+
+    /// What the function of these nodes is called, but for letters behind it, and what is said of it.
+    fn told_part(&self, nodes: &[NodeId]) -> (String, String) {
+        match self.series.of_operand(nodes[0]).filter(|_| self.is_series(nodes)) {
+            Some(series) => {
+                (format!("{}_series", self.name_of_series(series)), format!("// All {} of them.\n", nodes.len()))
+            }
+            None => ("part".to_owned(), "// The distance to some of the scene's shapes.\n".to_owned()),
+        }
+    }
+
+    /// Whether the nodes of a group are a series of many.
+    fn is_series(&self, group: &[NodeId]) -> bool {
+        group.len() >= MANY_IN_SERIES && self.series.of_operand(group[0]).is_some()
     }
 }
 
 impl Scope<'_, '_> {
     /// The least or greatest of the nodes, which look the same: evaluated here if they are few, else by functions.
     pub(super) fn reduced(&mut self, operation: Operation, nodes: &[NodeId]) -> Value {
-        let lists = self.emission.parts.lists(nodes);
+        let lists = self.emission.lists_alike(nodes);
         match &lists[..] {
-            [list] if !self.emission.parts.is_part(operation, list) => self.reduced_here(operation, list),
-            _ => self.reduced_by_lists(operation, lists),
+            [list] if !self.emission.is_series(list) && !self.emission.parts.is_part(operation, list) => {
+                self.reduced_here(operation, list)
+            }
+            _ => self.reduced_by_lists(operation, Vec::new(), lists),
         }
     }
 
-    /// The least or greatest of the nodes, by functions.
-    pub(super) fn reduced_by_parts(&mut self, operation: Operation, nodes: &[NodeId]) -> Value {
-        let lists = self.emission.lists_by_material(nodes);
-        self.reduced_by_lists(operation, lists)
+    /// The least or greatest of some values and of the nodes, by functions where they are many.
+    pub(super) fn reduced_with(&mut self, operation: Operation, values: Vec<Value>, nodes: &[NodeId]) -> Value {
+        let lists = self.emission.lists(nodes);
+        self.reduced_by_lists(operation, values, lists)
     }
 
     /// The least or greatest of the nodes, evaluated here.
     pub(super) fn reduced_here(&mut self, operation: Operation, nodes: &[NodeId]) -> Value {
-        self.reduced_by_lists(operation, nodes.iter().map(|node| vec![*node]).collect())
+        self.reduced_by_lists(operation, Vec::new(), nodes.iter().map(|node| vec![*node]).collect())
     }
 
-    fn reduced_by_lists(&mut self, operation: Operation, lists: Vec<Vec<NodeId>>) -> Value {
+    fn reduced_by_lists(&mut self, operation: Operation, mut values: Vec<Value>, lists: Vec<Vec<NodeId>>) -> Value {
         match operation {
-            Operation::Union => self.least(lists),
+            Operation::Union => self.least(values, lists),
             Operation::Intersection => {
-                let values: Vec<Value> = lists.into_iter().map(|list| self.list(operation, list)).collect();
+                values.extend(lists.into_iter().map(|list| self.list(operation, list)));
                 self.chain(operation, &values)
             }
         }
@@ -205,7 +262,8 @@ impl Scope<'_, '_> {
         let function = match self.emission.parts.functions.get(&key) {
             Some(&function) => function,
             None => {
-                let name = self.emission.names.next("part");
+                let (name, comment) = self.emission.told_part(&key.1);
+                let name = self.emission.names.next(&name);
                 let float = self.emission.types.float;
                 let mut scope = Scope::new(self.emission, &name, float);
                 let value = match key.1[..] {
@@ -213,7 +271,7 @@ impl Scope<'_, '_> {
                     _ => scope.reduced_here(operation, &key.1),
                 };
                 let function = scope.finish(value);
-                let function = self.emission.define(function, "// The distance to some of the scene's shapes.\n");
+                let function = self.emission.define(function, comment);
                 self.emission.parts.functions.insert(key, function);
                 function
             }

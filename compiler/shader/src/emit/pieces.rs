@@ -261,6 +261,7 @@ impl Scope<'_, '_> {
         let body = self.builder.close();
 
         self.builder.open();
+        let row = self.builder.load(row_variable);
         let following = self.following(row, each);
         self.builder.store(row_variable, following);
         let continuing = self.builder.close();

@@ -2,7 +2,6 @@
 
 use chiaro_field::{Point, PointId};
 use chiaro_solid::{Affine, Scalar};
-use chiaro_vocabulary::Kind;
 use chiaro_vocabulary::rows::{CONFINE_DISC, PLANE_POINT};
 use naga::{BinaryOperator, VectorSize};
 
@@ -24,7 +23,11 @@ impl Scope<'_, '_> {
                     3 => self.mapped::<3>(map, point),
                     _ => self.mapped::<2>(map, point),
                 };
-                self.name_point(mapped, id, "point")
+                // What is asked but once is written where it is asked.
+                match self.emission.parts.uses_of_point(id) {
+                    0 | 1 => mapped,
+                    _ => self.name_point(mapped, id, "point"),
+                }
             }
             Point::Warp(row, arguments, from) => {
                 let point = self.space_point(*from);
@@ -77,16 +80,19 @@ impl Scope<'_, '_> {
 
     /// How many coordinates the point has.
     fn dimension(&self, id: PointId) -> usize {
-        match &self.emission.graph.points[id.0 as usize] {
-            Point::World | Point::Flattened(_) => 3,
-            Point::Affine(_, from) | Point::Confined(_, from) => self.dimension(*from),
-            Point::Warp(row, ..) if row.kind == Kind::Section => 2,
-            Point::Warp(..) => 3,
+        let graph = self.emission.graph;
+        let root = std::iter::successors(Some(id), |point| match &graph.points[point.0 as usize] {
+            Point::Affine(_, from) | Point::Confined(_, from) => Some(*from),
+            _ => None,
+        });
+        match root.last().map(|root| &graph.points[root.0 as usize]) {
+            Some(Point::World) if self.emission.is_in_plane => 2,
+            _ => graph.dimension(id),
         }
     }
 
     /// A point of N coordinates under the map, without what changes nothing.
-    fn mapped<const N: usize>(&mut self, map: &Affine, point: Value) -> Value {
+    pub(super) fn mapped<const N: usize>(&mut self, map: &Affine, point: Value) -> Value {
         let rows = map.rows();
         let linear = std::array::from_fn::<_, N, _>(|i| &rows[i][..N]);
         let turned = self.mapped_linearly(linear, point);

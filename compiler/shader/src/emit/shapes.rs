@@ -1,6 +1,6 @@
 //! Nodes: distances.
 
-use chiaro_field::{Node, NodeId, PointId};
+use chiaro_field::{Graph, Node, NodeId, Operation, PointId};
 use chiaro_solid::Scalar;
 use chiaro_vocabulary::rows::{CONFINE_JOIN, OP_EXTRUDE, OP_TAPER};
 use chiaro_vocabulary::{Kind, Row, Type};
@@ -12,15 +12,37 @@ use crate::build::Value;
 /// The distance to nothing, in millimetres: the vocabulary's FAR.
 pub(super) const FAR: f32 = 1e15;
 
+/// What a node is, as its values are called.
+pub(super) fn kind(graph: &Graph, id: NodeId) -> &'static str {
+    let is_cut = |child: &NodeId| matches!(graph.nodes[child.0 as usize], Node::Negate(_));
+    match &graph.nodes[id.0 as usize] {
+        Node::Nothing => "nothing",
+        Node::Shape(row, ..) | Node::Adjust(row, ..) => row.name,
+        Node::Outline(..) => "outline",
+        Node::Polytope(..) => "polytope",
+        Node::Boolean(_, Some(_), _) => "joint",
+        Node::Boolean(Operation::Union, None, _) => "union",
+        Node::Boolean(Operation::Intersection, None, operands) if operands.iter().any(is_cut) => "difference",
+        Node::Boolean(Operation::Intersection, None, _) => "intersection",
+        Node::Negate(_) => "complement",
+        Node::Extrude(..) => "extrude",
+        Node::Taper(..) => "taper",
+        Node::Confine(..) => "confine",
+        Node::Paint(_, child) => kind(graph, *child),
+    }
+}
+
 impl Scope<'_, '_> {
-    /// The node's distance: evaluated here, or by a function of its own if it is large and asked more than once.
+    /// The node's distance: evaluated here, by the function of its series, or by one of its own if it is large and asked more
+    /// than once.
     pub(super) fn distance(&mut self, id: NodeId) -> Value {
         if let Some(&value) = self.distances.get(&id) {
             return value;
         }
-        let value = match self.emission.parts.is_apart(id) {
-            true => self.distance_by_part(id),
-            false => self.distance_here(id),
+        let value = match (self.emission.series.of_member(id), self.emission.parts.is_apart(id)) {
+            (Some(member), _) => self.member_distance(id, member),
+            (None, true) => self.distance_by_part(id),
+            (None, false) => self.distance_here(id),
         };
         self.distances.insert(id, value);
         value
@@ -39,17 +61,17 @@ impl Scope<'_, '_> {
                     _ => self.space_point(*point),
                 };
                 let distance = self.call_row(row, point, arguments);
-                self.name_node(distance, id, row.name)
+                self.name_node(distance, id)
             }
             Node::Outline(region, point) => {
                 let point = self.plane_point(*point);
                 let distance = self.outline(region, point);
-                self.name_node(distance, id, "outline")
+                self.name_node(distance, id)
             }
             Node::Polytope(triangles, point) => {
                 let point = self.space_point(*point);
                 let distance = self.polytope(triangles, point);
-                self.name_node(distance, id, "polytope")
+                self.name_node(distance, id)
             }
             Node::Boolean(operation, None, children) => self.sharp(id, *operation, children),
             Node::Boolean(operation, Some(joint), children) => self.joined(id, *operation, joint, children),
@@ -57,14 +79,14 @@ impl Scope<'_, '_> {
                 let distance = self.distance(*child);
                 let opposite = self.builder.negate(distance);
                 match self.emission.parts.is_shared(id) {
-                    true => self.name_node(opposite, id, "complement"),
+                    true => self.name_node(opposite, id),
                     false => opposite,
                 }
             }
             Node::Adjust(row, arguments, child) => {
                 let distance = self.distance(*child);
                 let adjusted = self.call_row(row, distance, arguments);
-                self.name_node(adjusted, id, row.name)
+                self.name_node(adjusted, id)
             }
             Node::Extrude(height, child, point) => {
                 let distance = self.distance(*child);
@@ -72,7 +94,7 @@ impl Scope<'_, '_> {
                 let z = self.builder.component(point, 2);
                 let height = self.scalar(height);
                 let extruded = self.call(&OP_EXTRUDE, &[distance, z, height]);
-                self.name_node(extruded, id, "extrude")
+                self.name_node(extruded, id)
             }
             Node::Taper(height, scale, child, point) => {
                 let distance = self.distance(*child);
@@ -80,14 +102,14 @@ impl Scope<'_, '_> {
                 let z = self.builder.component(point, 2);
                 let [height, scale] = [self.scalar(height), self.vector(scale)];
                 let tapered = self.call(&OP_TAPER, &[distance, z, height, scale]);
-                self.name_node(tapered, id, "taper")
+                self.name_node(tapered, id)
             }
             Node::Confine(radius, lipschitz, child, point) => {
                 let distance = self.distance(*child);
                 let gap = self.gap(*point, radius);
                 let lipschitz = self.constant(*lipschitz);
                 let joined = self.call(&CONFINE_JOIN, &[distance, gap, lipschitz]);
-                self.name_node(joined, id, "confine")
+                self.name_node(joined, id)
             }
             Node::Paint(_, child) => self.distance(*child),
         };

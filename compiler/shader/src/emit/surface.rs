@@ -82,6 +82,10 @@ impl Scope<'_, '_> {
 
     fn evaluated_appearance(&mut self, id: NodeId, unpainted: Appearance) -> Appearance {
         let graph = self.emission.graph;
+        if let Some(member) = self.emission.series.of_member(id) {
+            let unpainted = self.look(unpainted);
+            return Appearance::Evaluated(self.member_look(member, unpainted));
+        }
         match &graph.nodes[id.0 as usize] {
             Node::Boolean(operation, joint, operands) => {
                 if let Some(crowd) = self.emission.crowd_of(id) {

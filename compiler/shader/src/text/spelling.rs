@@ -11,7 +11,7 @@ pub(super) fn tidied(text: &str) -> String {
         result += &token;
         rest = behind;
     }
-    without_needless_parentheses(&(result + rest))
+    without_parentheses_around_arguments(&without_needless_parentheses(&(result + rest)))
 }
 
 fn is_part(c: char) -> bool {
@@ -64,6 +64,29 @@ fn without_needless_parentheses(text: &str) -> String {
     result + rest
 }
 
+/// The text without parentheses around a whole argument, index or value in parentheses.
+fn without_parentheses_around_arguments(text: &str) -> String {
+    let mut kept = vec![true; text.len()];
+    let mut open: Vec<usize> = Vec::new();
+    let bytes = text.as_bytes();
+    for (at, &byte) in bytes.iter().enumerate() {
+        match byte {
+            b'(' => open.push(at),
+            b')' => {
+                let Some(start) = open.pop() else { continue };
+                let before = text[..start].trim_end_matches(' ').bytes().next_back();
+                let begins = matches!(before, Some(b'(' | b',' | b'['));
+                let ends = matches!(bytes.get(at + 1), Some(b',' | b')' | b']'));
+                if begins && ends {
+                    (kept[start], kept[at]) = (false, false);
+                }
+            }
+            _ => {}
+        }
+    }
+    text.char_indices().filter(|(at, _)| kept[*at]).map(|(_, c)| c).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -72,6 +95,8 @@ mod tests {
     fn numbers_are_short_and_types_are_left_out() {
         let text = "let a = vec3<f32>(0f, -(p.y), 12.5f) * -(b + c) - 3.5e-15f + 1e15f + tables[3u].x;";
         assert_eq!(tidied(text), "let a = vec3(0.0, -p.y, 12.5) * -(b + c) - 3.5e-15 + 1e15 + tables[3u].x;");
+        let nested = "tables[(row + 1u)].x + f((p - vec3(1.0)), -(a + b), ((c) * d), (e).x)";
+        assert_eq!(tidied(nested), "tables[row + 1u].x + f(p - vec3(1.0), -(a + b), (c) * d, (e).x)");
         assert_eq!(tidied("0.0000000000000035527137f"), "3.5527137e-15");
         assert_eq!(tidied("var x: vec2<f32> = 2f;"), "var x: vec2<f32> = 2.0;");
     }

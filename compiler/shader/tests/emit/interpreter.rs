@@ -91,6 +91,7 @@ impl<'m> Machine<'m> {
                         flow => break flow,
                     };
                 },
+                Statement::Block(inner) => self.block(inner, frame),
                 Statement::Break => Flow::Break,
                 Statement::Return { value } => Flow::Return(self.numbers(value.unwrap(), frame)),
                 other => panic!("{other:?}"),

@@ -189,8 +189,7 @@ struct Surface {
 // The signed distance to the scene, in millimetres.
 fn scene_distance(p: vec3<f32>) -> f32 {
     let box_a = sd_box(p, vec3(5.0, 5.0, 5.0));
-    let point_a = p - vec3(10.0, 0.0, 0.0);
-    let sphere_a = sd_sphere(point_a, 5.0);
+    let sphere_a = sd_sphere(p - vec3(10.0, 0.0, 0.0), 5.0);
     let union_a = min(box_a, sphere_a);
     return union_a;
 }
@@ -200,8 +199,7 @@ fn scene_surface(p: vec3<f32>) -> Surface {
     let box_a = sd_box(p, vec3(5.0, 5.0, 5.0));
     let color_a = vec4(0.84808826, 0.4769998, 0.063723795, 1.0);
     let finish_a = vec4(0.45, 0.0, 0.0, 0.0);
-    let point_a = p - vec3(10.0, 0.0, 0.0);
-    let sphere_a = sd_sphere(point_a, 5.0);
+    let sphere_a = sd_sphere(p - vec3(10.0, 0.0, 0.0), 5.0);
     let color_b = vec4(1.0, 0.0, 0.0, 1.0);
     let wins_a = sphere_a < box_a;
     let color_c = select(color_a, color_b, wins_a);
@@ -251,15 +249,17 @@ fn maps_do_no_more_than_they_must() {
         let machine = Machine { module: &checked.module, bound: HashMap::new() };
         let expected = machine.run("sd_ellipsoid", vec![local.to_vec(), vec![1.0, 2.0, 3.0]]);
         assert_close(checked.distance(p), expected[0]);
-        let line = checked.text.lines().find(|line| line.contains("let point_a = "));
-        line.unwrap_or_default().trim().to_string()
+        let line = checked.text.lines().find(|line| line.contains("let ellipsoid_a = "));
+        line.and_then(|line| line.trim().strip_prefix("let ellipsoid_a = sd_ellipsoid("))
+            .unwrap_or_default()
+            .to_string()
     };
     let turned = map([[0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 2.0]]);
-    assert_eq!(turned, "let point_a = vec3(p.y, -p.x, p.z) - vec3(0.0, 0.0, -2.0);");
+    assert_eq!(turned, "vec3(p.y, -p.x, p.z) - vec3(0.0, 0.0, -2.0), vec3(1.0, 2.0, 3.0));");
     let scaled = map([[2.0, 0.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0]]);
-    assert_eq!(scaled, "let point_a = p * 2.0;");
+    assert_eq!(scaled, "p * 2.0, vec3(1.0, 2.0, 3.0));");
     let stretched = map([[2.0, 0.0, 0.0, 0.0], [0.0, 3.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]);
-    assert_eq!(stretched, "let point_a = p * vec3(2.0, 3.0, 1.0);");
+    assert_eq!(stretched, "p * vec3(2.0, 3.0, 1.0), vec3(1.0, 2.0, 3.0));");
     let sheared = map([[1.0, 0.5, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.25, 1.0, 1.0]]);
     assert!(sheared.contains("mat3x3(vec3(1.0, 0.0, 0.0), vec3(0.5, 1.0, 0.25)"), "{sheared}");
 }
