@@ -16,6 +16,7 @@ mod source;
 mod subject;
 mod target;
 mod translate;
+mod words;
 
 pub use listing::listing;
 pub use parameters::{Parameter, snake_case};

@@ -25,8 +25,8 @@ pub struct Parameter {
     pub is_time: bool,
 }
 
-/// The parameters of a scene that its field depends on, in their order, and names that none of these words has.
-pub(crate) fn parameters(live: &[LiveParameter], taken: &FxHashSet<&str>) -> Vec<Parameter> {
+/// The parameters of a scene that its field depends on, in their order, and names that are not taken.
+pub(crate) fn parameters(live: &[LiveParameter], is_taken: &dyn Fn(&str) -> bool) -> Vec<Parameter> {
     let mut given: FxHashSet<String> = FxHashSet::default();
     let mut named = |parameter: &LiveParameter| {
         let is_time = &*parameter.name == "$t";
@@ -35,7 +35,7 @@ pub(crate) fn parameters(live: &[LiveParameter], taken: &FxHashSet<&str>) -> Vec
         let own = component.map_or(word.clone(), |component| format!("{word}_{component}"));
         let mut name = own.clone();
         // `_value` more often than a text has words is not needed.
-        while taken.contains(&*name) || !given.insert(name.clone()) {
+        while is_taken(&name) || !given.insert(name.clone()) {
             name += "_value";
         }
         let label = match parameter.component {

@@ -7,7 +7,7 @@ use chiaro_syntax::Diagnostic;
 use rustc_hash::FxHashSet;
 
 use crate::parameters::{Parameter, expression, number, parameters};
-use crate::translate::Dialect;
+use crate::words::{is_reserved, words};
 
 /// The functions that live numbers may be computed with.
 const LIVE: &str = include_str!("../wgsl/live.wgsl");
@@ -50,10 +50,8 @@ impl Source {
             return Err(Diagnostic::error(root, message)
                 .with_hint("export a mesh instead (--to stl), or use fewer points in polygons and polyhedra"));
         }
-        let mut taken: FxHashSet<&str> = RESERVED.into_iter().chain(Dialect::words()).collect();
-        taken.extend([&*vocabulary, &functions].into_iter().flat_map(words));
-        taken.extend(caller.lines().filter_map(declared));
-        let parameters = parameters(live, &taken);
+        let used: FxHashSet<&str> = [&*vocabulary, &functions, caller].into_iter().flat_map(words).collect();
+        let parameters = parameters(live, &|word| used.contains(word) || is_reserved(word));
         let functions = with_parameters(&functions, graph, &parameters);
         let helpers = called(LIVE, &functions);
         let tables = table(&tables.rows);
@@ -82,45 +80,6 @@ pub(crate) fn described(parameter: &Parameter) -> String {
     let Parameter { label, default, min, max, description, .. } = parameter;
     let own = format!("{label}: from {min} to {max}, {default} by default");
     description.as_ref().map_or(own.clone(), |text| format!("{} ({own})", text.trim()))
-}
-
-/// Words of the templates that parameters may not be called.
-const RESERVED: [&str; 24] = [
-    "p",
-    "time",
-    "color",
-    "position",
-    "normal",
-    "uv",
-    "vertex",
-    "fragment",
-    "light",
-    "scale",
-    "texture",
-    "pixel",
-    "corner",
-    "eye",
-    "rays",
-    "turn",
-    "view",
-    "zoom",
-    "camera",
-    "resolution",
-    "mouse",
-    "mod",
-    "parameters",
-    "main",
-];
-
-/// The identifiers of a text.
-fn words(text: &str) -> impl Iterator<Item = &str> {
-    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
-}
-
-/// The name that a line of a text declares for all of it.
-fn declared(line: &str) -> Option<&str> {
-    let name = ["fn ", "const ", "struct "].iter().find_map(|keyword| line.strip_prefix(keyword))?;
-    words(name).next()
 }
 
 /// The functions with live numbers computed where they are read.

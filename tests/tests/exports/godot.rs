@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use chiaro_compiler::export::{Package, Target};
 
-use super::support::{Stage, compiled_by_glslang, examples, text_at};
+use super::support::{Example, Stage, compiled_by_glslang, examples, text_at};
 
 #[test]
 fn godots_shaders_compile() {
@@ -29,10 +29,21 @@ fn godots_shaders_compile() {
 }
 
 #[test]
+fn nothing_hides_a_live_number() {
+    // Functions of the picture have variables that are called so.
+    let example = Example::of("knobs.csg", "k = 6; // [0.5:12]\nhit = 2; // [1:3]\nsphere(k); cube(hit);");
+    for (package, ending) in [(Package::Godot4, "gdshader"), (Package::Godot3, "shader")] {
+        let files = example.export(Target::Package(package)).unwrap();
+        assert_eq!(hidden_names(&text_at(&files, &format!("_picture.{ending}"))), Vec::<String>::new());
+    }
+}
+
+#[test]
 fn hidden_names_are_found() {
-    let shader = "float sky(float x) {\n    return x;\n}\nvoid f(vec3 p) {\n    for (int i = 0; i < 3; i++) {\n        \
-                  float sky = 1.0; // vec3 p\n    }\n    for (int i = 0; i < 3; i++) {\n        vec3 p = p;\n    }\n}\n";
-    assert_eq!(hidden_names(shader), ["sky", "p"]);
+    let shader = "uniform float k : hint_range(0, 1) = 0.5;\nfloat sky(float x) {\n    return x;\n}\n\
+                  void f(vec3 p) {\n    for (int i = 0; i < 3; i++) {\n        \
+                  float sky = 1.0; // vec3 p\n        float k = 1.0;\n    }\n    for (int i = 0; i < 3; i++) {\n        vec3 p = p;\n    }\n}\n";
+    assert_eq!(hidden_names(shader), ["sky", "k", "p"]);
 }
 
 /// The version whose types are as strict as Godot's: no number becomes another kind by itself.
@@ -92,7 +103,7 @@ fn hidden_names(shader: &str) -> Vec<String> {
                 scopes.push(HashSet::new());
                 is_open = true;
             }
-            _ if in_struct || !types.contains(first) || !["=", ";", ",", ")", "[", "("].contains(&behind) => {}
+            _ if in_struct || !types.contains(first) || !["=", ";", ",", ")", "[", "(", ":"].contains(&behind) => {}
             _ if !name.starts_with(|c: char| c.is_ascii_alphabetic()) => {}
             _ => {
                 let is_function = behind == "(" && scopes.len() == 1;

@@ -130,3 +130,26 @@ fn what_a_target_cannot_express_is_an_error() {
     assert_eq!(error.message, "SPIR-V has no libraries of functions");
     assert_eq!(error.hints, ["export a whole program: --program"]);
 }
+
+#[test]
+fn parameters_may_have_the_names_of_words_of_languages() {
+    // Words of WGSL, of GLSL, of HLSL, of all of them; and what the code around the scene calls its own values.
+    let names = [
+        "const", "fn", "self", "where", "float", "void", "ivec3", "volatile", "modf", "half4x4", "mul", "saturate",
+        "int", "texture", "hit", "sky", "radiance", "dyn",
+    ];
+    let mut scene: String = names.iter().map(|name| format!("{name} = 5; // [1:10]\n")).collect();
+    for (place, name) in names.iter().enumerate() {
+        scene += &format!("rotate([0, {name}, 0]) translate([{}, 0, 0]) sphere({name});\n", 20 * place);
+    }
+    let example = Example::of("words.csg", &scene);
+    validated_by_naga("WGSL", &example.text(Target::Program(Language::Wgsl)));
+    let glsl = [
+        (example.text(Target::Program(Language::GlslEs300)), Stage::Fragment),
+        (example.text(Target::Program(Language::Hlsl)), Stage::HlslPixel),
+        ("#version 330 core\n".to_owned() + &example.text(Target::Package(Package::GlslViewer)), Stage::Fragment),
+    ];
+    for (text, stage) in glsl {
+        compiled_by_glslang("words", &text, stage);
+    }
+}

@@ -21,6 +21,7 @@ mod typing;
 use wgsl_parse::parse_str;
 
 pub use dialect::Dialect;
+pub(crate) use reach::words;
 
 /// Why a text can't be translated.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -32,7 +32,7 @@ pub(super) fn readers(wgsl: &str, unit: &TranslationUnit) -> FxHashSet<String> {
 }
 
 /// The identifiers of a text that are not in its comments, and whether an opening parenthesis stands behind.
-pub(super) fn words(text: &str) -> impl Iterator<Item = (&str, bool)> {
+pub(crate) fn words(text: &str) -> impl Iterator<Item = (&str, bool)> {
     let code = text.lines().map(|line| line.split_once("//").map_or(line, |(code, _)| code));
     code.flat_map(words_of_line)
 }
