@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use chiaro_compiler::export::{Package, Target};
 
-use super::support::{Stage, compiled_by_glslang, examples, text_at, validated_by_naga};
+use super::support::{Example, Stage, compiled_by_glslang, examples, text_at, validated_by_naga};
 
 #[test]
 fn isf_has_its_inputs() {
@@ -96,6 +96,14 @@ fn modules_for_three_are_shader_code_between_backticks() {
         for path in [format!("webgpu/{name}.js"), format!("webgpu/{name}_picture.js")] {
             validated_by_naga(&path, &literals(&path).concat());
         }
+    }
+}
+
+#[test]
+fn no_class_for_three_has_the_name_of_one_of_its_own() {
+    let files = Example::of("mesh.csg", "sphere(5);").export(Target::Package(Package::Three)).unwrap();
+    for path in ["webgl/mesh.js", "webgpu/mesh.js"] {
+        assert!(text_at(&files, path).contains("\nexport class MeshSolid extends Mesh {\n"), "{path}");
     }
 }
 

@@ -2,7 +2,7 @@
 import { Parameters } from "../scene.js";
 
 /** The scene as a mesh: a box, in each pixel of which a ray looks for the scene's surface. */
-export class {{ type_name }} extends Mesh<BoxGeometry, {% block material %}{% endblock %}> {
+export class {{ type_name }}Solid extends Mesh<BoxGeometry, {% block material %}{% endblock %}> {
     /** The live numbers. */
     parameters: Parameters;
 {% for parameter in parameters if parameter.is_time %}

@@ -7,7 +7,7 @@ import { BOX, defaults } from "../scene.js";
  * The scene as a mesh: a box, in each pixel of which a ray looks for the scene's surface. Lights, environments, fog and shadows
  * are three.js's own.
  */
-export class {{ type_name }} extends Mesh {
+export class {{ type_name }}Solid extends Mesh {
     constructor() {
         const size = BOX.max.map((most, axis) => most - BOX.min[axis]);
         const center = BOX.max.map((most, axis) => (most + BOX.min[axis]) / 2);
