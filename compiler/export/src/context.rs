@@ -44,6 +44,8 @@ pub(crate) struct Context {
     parameters: Vec<Live>,
     box_min: [f64; 3],
     box_max: [f64; 3],
+    /// Whether the scene goes on outside of the box.
+    is_endless: bool,
     lipschitz: f32,
     eye: [f64; 3],
     target: [f64; 3],
@@ -86,6 +88,7 @@ impl Context {
         let rounded = |x: f32, by: f64| (f64::from(x) * 1e3 + by).round() / 1e3;
         let [box_min, box_max] = scene.setting.bounds;
         let (box_min, box_max) = (box_min.map(|x| rounded(x, -0.5)), box_max.map(|x| rounded(x, 0.5)));
+        let bounds = scene.graph.facts[scene.graph.root.0 as usize].bounds;
         let name = snake_case(scene.title);
         let mut context = Self {
             title: scene.title.chars().map(|c| if is_plain(c) { c } else { '_' }).collect(),
@@ -96,6 +99,7 @@ impl Context {
             parameters: parameters.iter().map(live).collect(),
             box_min,
             box_max,
+            is_endless: !bounds.is_empty() && !bounds.diagonal().is_finite(),
             lipschitz: scene.setting.lipschitz,
             eye: camera.eye,
             target: camera.target,

@@ -16,7 +16,7 @@ pub enum Error {
     },
     /// No cell has corners on both sides.
     #[error(
-        "no part of the scene is as thick as a cell of {cell:.3} mm; take a smaller tolerance, or a higher resolution than {resolution}"
+        "the scene is empty, or no part of it is as thick as a cell of {cell:.3} mm: then take a smaller tolerance, or a higher resolution than {resolution}"
     )]
     NothingFound {
         /// The length of a cell's edges, in millimetres.
