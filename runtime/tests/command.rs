@@ -433,6 +433,27 @@ fn export_writes_shader_code_for_the_ending_or_the_target() {
 }
 
 #[test]
+fn exports_of_text_need_no_graphics_driver() {
+    let scene = "h = 20; // [5:40]\nsphere_light(r = 2); difference() { cube([30, 20, h]); sphere(9); }";
+    let folder = Folder::new().with("block.csg", scene);
+    let without_driver = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
+        let nowhere = [("VK_DRIVER_FILES", "/nonexistent"), ("VK_ICD_FILENAMES", "/nonexistent")];
+        command.current_dir(folder.0.path()).args(arguments).envs(nowhere).output().expect("the command can be started")
+    };
+    if !stderr(&without_driver(&["adapters"])).contains("no graphics driver") {
+        return; // The machine has another one than Vulkan's.
+    }
+    let said = succeeded(without_driver(&["export", "block.csg", "--program", "-o", "block.glsl"]));
+    assert!(stderr(&said).contains("note: without a graphics driver"), "{}", stderr(&said));
+    let text = fs::read_to_string(folder.path("block.glsl")).unwrap();
+    assert!(text.contains("uniform float h_value") && text.contains("SCENE_MAX = vec3(30.0"), "{text}");
+    succeeded(without_driver(&["export", "block.csg", "--to", "godot", "-o", "godot"]));
+    let refused = without_driver(&["export", "block.csg", "-o", "named.glsl", "--adapter", "llvmpipe"]);
+    assert!(!refused.status.success() && !folder.path("named.glsl").exists());
+}
+
+#[test]
 fn what_cannot_be_exported_says_why_and_writes_nothing() {
     let folder = Folder::new();
     for (scene, extra, reason) in [

@@ -61,7 +61,7 @@ impl Piece {
         let gpu = Gpu::new(&self.adapter).map_err(|error| error.to_string())?;
         let title = path.file_stem().unwrap_or_default().to_string_lossy();
         let shaded = Shaded { title: &title, scene, sources: &compilation.sources, view: self.view };
-        let mut files = shader_files(&gpu, &shaded, target, path).map_err(|error| format!("{error:#}"))?;
+        let mut files = shader_files(Some(&gpu), &shaded, target, path).map_err(|error| format!("{error:#}"))?;
         if let Some(path) = mesh_beside(target, &files, path) {
             files.extend(meshed(scene, MeshFormat::Obj, &path, progress)?);
         }

@@ -35,7 +35,7 @@ pub use inspect::{Drawing, Inspection, Inspector, Legend, Mark, Plane};
 pub use lights::{Direct, LightRow, LightSource, Lighting, Surroundings};
 pub use mask::{Mask, Masker};
 pub use model::Model;
-pub use one_pass::Eye;
+pub use one_pass::{Eye, setting_within_bounds};
 pub use picture::{Evaluations, Floor, Picture, Timings};
 pub use probe::distances;
 pub use study::{Outcome, Receiver, Study, Truth};

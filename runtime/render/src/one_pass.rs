@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
+use chiaro_field::Graph;
 use chiaro_shader::{Light, Setting, Sky, Template};
+use chiaro_vocabulary::Bounds;
 use wgpu::{BindGroup, Buffer};
 
 use crate::error::Result;
@@ -10,8 +12,10 @@ use crate::gpu::Gpu;
 use crate::kernel::{Slot, workgroups};
 use crate::lights::{LightRow, Lighting, Surroundings};
 use crate::model::{Model, Program};
+use crate::picture::DEFAULT_DIRECT;
 use crate::stopwatch::Stopwatch;
-use crate::uniform::ViewUniform;
+use crate::uniform::{Studio, ViewUniform};
+use crate::view::{View, drawn_bounds};
 
 /// From where a picture is seen, as shaders need it: lengths in millimetres.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +53,22 @@ impl OnePass {
     pub(crate) fn run(&self, gpu: &Gpu, stopwatch: &Stopwatch, size: [u32; 2]) -> Result<Duration> {
         self.program.kernel.run(gpu, stopwatch, &self.groups.each_ref(), workgroups(size))
     }
+}
+
+/// What an exported shader has to know of a scene that no device draws. `bounds` are the compiler's for the live numbers' present
+/// values: where they end, the floor is, be the scene's lowest point above it.
+pub fn setting_within_bounds(
+    graph: &Graph,
+    bounds: &Bounds,
+    view: &View,
+    lighting: &Lighting,
+    size: [u32; 2],
+) -> Setting {
+    let facts = graph.facts[graph.root.0 as usize];
+    let floor = facts.bounds.min[2].is_finite().then_some(drawn_bounds(bounds).min[2]);
+    let studio = Studio { floor, azimuth: view.rotation[2].to_radians() };
+    let uniform = ViewUniform::new(view, &drawn_bounds(&facts.bounds), facts.lipschitz, studio, size);
+    setting(&uniform.within(lighting), lighting, &lighting.rows(DEFAULT_DIRECT))
 }
 
 /// What a shader knows of a scene that is lit like this, in numbers.

@@ -98,11 +98,12 @@ struct Buffers {
     trace_groups: [BindGroup; 2],
 }
 
-/// How direct light is found unless a light or a caller says otherwise.
+/// Into how many cells verified cones cut a light unless a caller says otherwise.
 const DEFAULT_CELLS: u32 = 19;
 /// How many rays are drawn at once, or drivers would end them.
 const MOST_RAYS: u32 = 8;
-const DEFAULT_DIRECT: Direct = Direct::By(Shadows::Verified);
+/// How direct light is found unless a light or a caller says otherwise.
+pub(crate) const DEFAULT_DIRECT: Direct = Direct::By(Shadows::Verified);
 
 impl Picture {
     /// A picture of `size` pixels (width, height). The studio's lights stand as this view sees them, and stay there

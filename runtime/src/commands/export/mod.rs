@@ -11,10 +11,10 @@ use anyhow::{Result, bail};
 use chiaro_compiler::export::{self, Language, Package};
 use chiaro_compiler::{Compilation, Scene};
 use chiaro_exports::{File, Format, MeshFormat, Shaded};
-use chiaro_render::Gpu;
+use chiaro_render::{Error, Gpu, Preference};
 
 use crate::arguments::{Export, Global, Target};
-use crate::compile;
+use crate::{compile, terminal};
 
 pub(crate) fn run(arguments: &Export, global: &Global) -> Result<ExitCode> {
     let target = target(arguments)?;
@@ -52,15 +52,27 @@ fn files(
         Format::Mesh(_) if arguments.program => bail!("--program is for shading languages, such as --to glsl-330"),
         Format::Mesh(format) => mesh::files(scene, format, &arguments.output, arguments, global),
         Format::Shader(target) => {
-            let gpu = Gpu::new(&arguments.adapter.preference())?;
+            let gpu = device(&arguments.adapter.preference(), global)?;
             let title = arguments.scene.file.file_stem().unwrap_or_default().to_string_lossy();
             let shaded = Shaded { title: &title, scene, sources: &compilation.sources, view: None };
-            let mut files = chiaro_exports::shader_files(&gpu, &shaded, target, &arguments.output)?;
+            let mut files = chiaro_exports::shader_files(gpu.as_ref(), &shaded, target, &arguments.output)?;
             if let Some(path) = chiaro_exports::mesh_beside(target, &files, &arguments.output) {
                 files.extend(mesh::files(scene, MeshFormat::Obj, &path, arguments, global)?);
             }
             Ok(files)
         }
+    }
+}
+
+/// What measures the scene. Where there is no driver at all, and no adapter is asked for, an export does without.
+fn device(preference: &Preference, global: &Global) -> Result<Option<Gpu>> {
+    match Gpu::new(preference) {
+        Err(Error::NoDriver) if *preference == Preference::Any => {
+            let text = "note: without a graphics driver the view and the floor follow the scene's bounds, which may be larger than it";
+            terminal::note(global, text);
+            Ok(None)
+        }
+        gpu => Ok(Some(gpu?)),
     }
 }
 
