@@ -23,7 +23,7 @@ shown() {
 scenes=("$@")
 [ ${#scenes[@]} -gt 0 ] || scenes=("$root"/examples_csg/*.csg)
 for scene in "${scenes[@]}"; do
-    name=$(basename "$scene" .csg)
+    name=$(basename "${scene%.*}")
     project=$work/$name
     "$chiaro" export "$scene" --to godot-3 -o "$project" --quiet
     "$chiaro" render --one-pass "$scene" --size "$size" -o "$work/own.png" --quiet

@@ -12,7 +12,7 @@ import trimesh
 
 FORMATS = ["stl", "obj", "ply", "3mf", "gltf", "glb"]
 SAMPLES = 20_000
-CHIARO = "target/release/chiaro"
+CHIARO = os.environ.get("CHIARO", "target/release/chiaro")
 
 
 def load(path):
@@ -53,13 +53,17 @@ def openscad_facets(stl, work):
 
 
 def check(scene, work):
-    name = os.path.basename(scene).removesuffix(".csg")
+    name = os.path.splitext(os.path.basename(scene))[0]
     failures = []
     meshes = {}
     for ending in FORMATS:
         path = os.path.join(work, f"{name}.{ending}")
         start = time.monotonic()
-        subprocess.run([CHIARO, "export", scene, "-o", path, "--quiet"], check=True)
+        result = subprocess.run([CHIARO, "export", scene, "-o", path, "--quiet"], capture_output=True, text=True)
+        if result.returncode != 0:
+            print(f"| {name} | | | no mesh: {result.stderr.strip()} | | | |", flush=True)
+            # Of a plane scene there must not be one.
+            return "the scene is plane" in result.stderr
         seconds = time.monotonic() - start
         mesh = load(path)
         if not (mesh.is_watertight and mesh.is_winding_consistent and mesh.volume > 0):
