@@ -10,10 +10,10 @@ const LEAST_LOBE_ALPHA: f32 = 0.04;
 /// The sine of a cone's half angle, as a part of α.
 const LOBE_SINE: f32 = 1.2;
 
-/// The k-th direction of a lobe; w: what it weighs.
-fn lobe_direction(x: Vertex, k: i32) -> vec4<f32> {
-    // The disc's middle, or the centre of a part of the ring around it: all have the same area.
-    let angle = 2.0 * PI / f32(LOBE_CONES - 1) * (f32(k) + 0.5);
+/// The k-th direction of a lobe, for one of a pixel's rays; w: what it weighs.
+fn lobe_direction(x: Vertex, k: i32, ray: i32) -> vec4<f32> {
+    // The disc's middle, or the centre of a part of the ring around it: all have the same area. Each ray turns the ring.
+    let angle = 2.0 * PI / f32(LOBE_CONES - 1) * (f32(k) + (f32(ray) + 0.5) / f32(RAYS));
     let d = select(0.736, 0.0, k == 0) * vec2<f32>(cos(angle), sin(angle));
 
     // The view and one direction across, by which the disc is turned, in the surface's own axes.

@@ -200,7 +200,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>, ray:
             // What a surface mirrors that sees much of the sky is likely to see the lights.
             let seen_there = clamp(SEEN_OF_OPEN * sky_open / max(sky_weight, TINY), 0.0, 1.0);
             let covering = second_radiance(met_position, slope_n, met, query.w, seen_there, 1.0);
-            let share = lobe_direction(x, index).w;
+            let share = lobe_direction(x, index, ray).w;
             lobe_weight += share;
             mirror_light += share * mix(covering, beyond, open);
         } else {
@@ -257,7 +257,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>, ray:
             } else if stage == STAGE_SKY {
                 index += 1;
                 if index < SKY_CONES {
-                    let towards = sky_direction(index);
+                    let towards = sky_direction(index, ray);
                     if dot(n, towards) > 0.01 {
                         query = query_surroundings(position + clearance * n, towards, SKY_SINE, n, clearance);
                         asks = true;
@@ -300,7 +300,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>, ray:
             } else if stage == STAGE_LOBE {
                 index += 1;
                 if index < LOBE_CONES {
-                    let towards = lobe_direction(x, index);
+                    let towards = lobe_direction(x, index, ray);
                     if towards.w > 0.0 {
                         let sine = min(LOBE_SINE * x.alpha, 0.5);
                         query = query_surroundings(position + clearance * n, towards.xyz, sine, n, clearance);

@@ -19,14 +19,14 @@ const FLOOR_SEEN: f32 = 0.8;
 /// The same of what a rough surface mirrors, as a part of how much of the sky that surface sees.
 const SEEN_OF_OPEN: f32 = 1.3;
 
-/// The direction of a cone: the k-th corner of an icosahedron that stands on one.
-fn sky_direction(k: i32) -> vec3<f32> {
+/// The direction of a cone: the k-th corner of an icosahedron that stands on one, turned for each of a pixel's rays.
+fn sky_direction(k: i32, ray: i32) -> vec3<f32> {
     let side = select(-1.0, 1.0, k < SKY_CONES / 2);
     let of_side = k % (SKY_CONES / 2);
     if of_side == 0 {
         return vec3<f32>(0.0, 0.0, side);
     }
-    let angle = 0.4 * PI * f32(of_side) + 0.3;
+    let angle = 0.4 * PI * (f32(of_side) + f32(ray) / f32(RAYS)) + 0.3;
     return side * vec3<f32>(0.894427 * cos(angle), 0.894427 * sin(angle), 0.447214);
 }
 
