@@ -93,7 +93,7 @@ impl Scope<'_, '_> {
 
     /// A point of N coordinates under the map, without what changes nothing.
     pub(super) fn mapped<const N: usize>(&mut self, map: &Affine, point: Value) -> Value {
-        let rows = map.rows();
+        let rows = without_residues(map);
         let linear = std::array::from_fn::<_, N, _>(|i| &rows[i][..N]);
         let turned = self.mapped_linearly(linear, point);
         let shift = std::array::from_fn::<_, N, _>(|i| rows[i][3].clone());
@@ -139,6 +139,19 @@ impl Scope<'_, '_> {
         let by = self.vector(&by);
         self.builder.binary(operator, point, by)
     }
+}
+
+/// The rows of a map, with zeros for what rounding left of numbers that cancel out.
+fn without_residues(map: &Affine) -> [[Scalar; 4]; 3] {
+    const RESIDUE: f64 = 1e-15;
+    let farthest = map.rows().iter().filter_map(|row| row[3].constant()).fold(1.0_f64, |most, by| most.max(by.abs()));
+    map.rows().each_ref().map(|row| {
+        std::array::from_fn(|column| {
+            let size = if column == 3 { farthest } else { 1.0 };
+            let is_residue = row[column].constant().is_some_and(|number| number.abs() < RESIDUE * size);
+            if is_residue { Scalar::ZERO } else { row[column].clone() }
+        })
+    })
 }
 
 /// The axis each coordinate comes from and whether its sign changes, if that is all the rows do.
