@@ -447,7 +447,10 @@ fn exports_of_text_need_no_graphics_driver() {
     let said = succeeded(without_driver(&["export", "block.csg", "--program", "-o", "block.glsl"]));
     assert!(stderr(&said).contains("note: without a graphics driver"), "{}", stderr(&said));
     let text = fs::read_to_string(folder.path("block.glsl")).unwrap();
-    assert!(text.contains("uniform float h_value") && text.contains("vec3 setting_box_max() {\n    return vec3(30.0"), "{text}");
+    assert!(
+        text.contains("uniform float h_value") && text.contains("vec3 setting_box_max() {\n    return vec3(30.0"),
+        "{text}"
+    );
     succeeded(without_driver(&["export", "block.csg", "--to", "godot", "-o", "godot"]));
     let refused = without_driver(&["export", "block.csg", "-o", "named.glsl", "--adapter", "llvmpipe"]);
     assert!(!refused.status.success() && !folder.path("named.glsl").exists());
