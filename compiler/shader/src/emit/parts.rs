@@ -204,9 +204,11 @@ impl Emission<'_> {
         }
     }
 
-    /// Whether the nodes of a group are a series of many.
+    /// Whether these are many of one series.
     fn is_series(&self, group: &[NodeId]) -> bool {
-        group.len() >= MANY_IN_SERIES && self.series.of_operand(group[0]).is_some()
+        let mut series = group.iter().map(|node| self.series.of_operand(*node));
+        let first = series.next().flatten();
+        group.len() >= MANY_IN_SERIES && first.is_some() && series.all(|own| own == first)
     }
 }
 

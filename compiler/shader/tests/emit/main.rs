@@ -1,4 +1,4 @@
-//! s of every kind of node: emitted, validated, run, printed, parsed back and run again.
+//! Graphs of every kind of node: emitted, validated, run, printed, parsed back and run again.
 
 mod interpreter;
 mod scene;
