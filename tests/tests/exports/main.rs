@@ -58,6 +58,16 @@ fn distances_are_those_of_the_cpu() {
     std::fs::write(concat!(env!("CARGO_TARGET_TMPDIR"), "/distances.csv"), table).unwrap();
 }
 
+#[test]
+fn outlines_of_many_edges_are_loops() {
+    let star = "n = 64; linear_extrude(5) polygon([for (i = [0 : n - 1]) (i % 2 ? 10 : 14) * [cos(360 * i / n), sin(360 * i / n)]]);";
+    let example = Example::of("star.csg", star);
+    let text = example.text(Target::Library(Language::GlslEs300));
+    assert!(text.contains("const vec4 tables[") && text.contains("for (uint row_b = "), "{text}");
+    let (differences, allowed) = differences(&example, 2_000);
+    assert!(differences.iter().all(|difference| *difference <= allowed), "{differences:?} of {allowed}");
+}
+
 /// How far off the distances of a library in GLSL and in HLSL are at so many points, and how far they may be.
 fn differences(example: &Example, count: usize) -> ([f64; 2], f64) {
     let root = &example.graph.facts[example.graph.root.0 as usize];
