@@ -16,6 +16,9 @@ use crate::{dialogs, gallery, menu, panels, status, text, theme};
 /// The part of the window's width that the text has at first.
 const TEXT: f32 = 0.38;
 
+/// The width of the panels at first, in points.
+const PANEL: f32 = 356.0;
+
 /// How the editor starts.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
@@ -187,7 +190,7 @@ impl eframe::App for Editor {
             let width = ui.available_width();
             Panel::left("text").default_size((TEXT * width).min(560.0)).show(ui, |ui| text::show(self, ui));
             if self.settings.shows_panel {
-                Panel::right("panel").default_size(336.0).min_size(240.0).show(ui, |ui| panels::show(self, ui));
+                Panel::right("panel").default_size(PANEL).min_size(240.0).show(ui, |ui| panels::show(self, ui));
             }
         }
         if self.only_picture && self.session.has_errors() {

@@ -15,7 +15,7 @@ pub(crate) struct Watch {
 
 impl Watch {
     /// Watches nothing yet; `wake` is called when something changes. Where the system has no way to watch, nothing ever
-    /// changes, and [`Watch::trouble`] says so.
+    /// changes, and the log says so.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let (sender, changes) = channel();
         let watcher = notify::recommended_watcher(move |event: notify::Result<notify::Event>| {

@@ -1,7 +1,7 @@
 //! Work of some length, off the window's thread.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::thread::JoinHandle;
 
 use egui::Context;
@@ -14,8 +14,8 @@ pub(crate) struct Job<T> {
 
 /// How far some work is, and whether it is still wanted.
 pub(crate) struct Progress {
-    done: AtomicU32,
-    all: AtomicU32,
+    done: AtomicU64,
+    all: AtomicU64,
     cancelled: AtomicBool,
     context: Context,
 }
@@ -27,8 +27,8 @@ impl<T: Send + 'static> Job<T> {
         work: impl FnOnce(&Progress) -> T + Send + 'static,
     ) -> std::io::Result<Self> {
         let progress = Arc::new(Progress {
-            done: AtomicU32::new(0),
-            all: AtomicU32::new(0),
+            done: AtomicU64::new(0),
+            all: AtomicU64::new(0),
             cancelled: AtomicBool::new(false),
             context: context.clone(),
         });
@@ -59,14 +59,14 @@ impl<T: Send + 'static> Job<T> {
 
 impl Progress {
     /// Says how many steps there are.
-    pub(crate) fn expect(&self, all: u32) {
+    pub(crate) fn expect(&self, all: u64) {
         self.all.store(all, Ordering::Relaxed);
     }
 
     /// So many of so many steps are done.
     pub(crate) fn show(&self, done: usize, of: usize) {
-        self.all.store(of.try_into().unwrap_or(u32::MAX), Ordering::Relaxed);
-        self.done.store(done.try_into().unwrap_or(u32::MAX), Ordering::Relaxed);
+        self.all.store(of as u64, Ordering::Relaxed);
+        self.done.store(done as u64, Ordering::Relaxed);
         self.context.request_repaint();
     }
 
