@@ -1,6 +1,7 @@
 //! The window's contents.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use chiaro_render::Preference;
 use egui::{CentralPanel, Context, Panel, Ui};
@@ -103,16 +104,20 @@ impl Editor {
                     self.settings.opened(&path);
                 }
             }
-            Err(reason) => self.session.failure = Some(reason),
+            Err(reason) => {
+                self.session.failure = Some(reason);
+                self.settings.recent.retain(|recent| recent != path || path.exists());
+            }
         }
     }
 
     /// Opens the files of the last time, as they were then.
     fn open_last(&mut self) {
-        let drawn = self.settings.drawn.clone();
+        let (drawn, recent) = (self.settings.drawn.clone(), self.settings.recent.clone());
         // Those that are gone meanwhile are no trouble of this time.
         let there: Vec<PathBuf> = self.settings.open.iter().filter(|file| file.exists()).cloned().collect();
         there.iter().chain(drawn.iter().filter(|file| there.contains(file))).for_each(|file| self.open(file));
+        self.settings.recent = recent;
     }
 
     /// Opens a file, or begins it if there is none.
@@ -171,7 +176,7 @@ impl Editor {
 }
 
 impl eframe::App for Editor {
-    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
         self.style(&ui.ctx().clone());
         self.name_window(&ui.ctx().clone());
         self.take_dropped(&ui.ctx().clone());
@@ -179,7 +184,7 @@ impl eframe::App for Editor {
             ui.ctx().request_repaint_after(due);
         }
         self.advance_clock(ui);
-        panels::follow(self);
+        panels::follow(self, frame.info().cpu_usage.map(Duration::from_secs_f32));
         self.recovery.keep(ui.ctx(), self.session.documents());
         menu::shortcuts(self, &ui.ctx().clone());
         if !self.only_picture {

@@ -349,7 +349,7 @@ impl Inspector {
 
     fn uniform(&self, look: &Look) -> ViewUniform {
         let studio = Studio { floor: None, azimuth: 0.0 };
-        ViewUniform::new(&look.view, &self.model.bounds, self.model.lipschitz, studio, look.size)
+        ViewUniform::new(&look.view, &self.model.bounds(), self.model.lipschitz, studio, look.size)
     }
 
     /// Runs a program for each pixel, part by part, as long as `goes_on` says so; none if it said no.

@@ -10,6 +10,8 @@ mod timings;
 #[cfg(test)]
 pub(crate) use timings::resident;
 
+use std::time::Duration;
+
 use chiaro_compiler::syntax::Severity;
 use egui::{RichText, Ui};
 
@@ -47,9 +49,10 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     }
 }
 
-/// Keeps up with what happens, whether the panels are shown or not.
-pub(crate) fn follow(editor: &mut Editor) {
+/// Keeps up with what happens, whether the panels are shown or not: the window's last frame took so long.
+pub(crate) fn follow(editor: &mut Editor, frame: Option<Duration>) {
     editor.panels.timings.note(editor.viewport.timings);
+    frame.into_iter().for_each(|took| editor.panels.timings.note_window(took));
     parameters::follow(editor);
 }
 

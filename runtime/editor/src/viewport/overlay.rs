@@ -4,7 +4,7 @@ use chiaro_compiler::shader::Shadows;
 use chiaro_render::{Direct, Inspection, Plane};
 use egui::{Align2, Area, ComboBox, Frame, Id, Rect, Slider, Ui, vec2};
 
-use super::{legend, navigation};
+use super::{handles, legend, navigation};
 use crate::app::Editor;
 use crate::studio::{Eye, Look};
 use crate::theme::sign;
@@ -220,6 +220,9 @@ fn selection_chain(editor: &mut Editor, ui: &mut Ui) {
             ui.weak(format!("{} times", selection.solids.len()));
         }
     });
+    if let Some(obstacle) = handles::obstacle(editor) {
+        ui.weak(format!("no handles here: {obstacle}"));
+    }
     if let Some(index) = chosen {
         editor.select(selection.chain, index);
     }
