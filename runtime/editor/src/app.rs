@@ -7,6 +7,7 @@ use chiaro_render::Preference;
 use egui::{CentralPanel, Context, Panel, Ui};
 
 use crate::clock::Clock;
+use crate::command::Command;
 use crate::gallery::Gallery;
 use crate::recovery::Recovery;
 use crate::session::Session;
@@ -48,6 +49,8 @@ pub struct Editor {
     pub(crate) recovery: Recovery,
     pub(crate) adapter: Preference,
     pub(crate) only_picture: bool,
+    /// What was asked for after something that had yet to be written into the text: done in the next frame.
+    pub(crate) postponed: Vec<Command>,
     /// The size of text that the window's style was made for, in points.
     styled: f32,
     /// What the window is called.
@@ -79,6 +82,7 @@ impl Editor {
             recovery,
             adapter: options.adapter,
             only_picture: options.only_picture,
+            postponed: Vec::new(),
             styled: 0.0,
             title: String::new(),
         };

@@ -81,7 +81,7 @@ fn drawn(gpu: &Gpu, set: &mut Option<Set>, shot: &Shot, progress: &Progress) -> 
     let set = match set {
         None => set.insert(Set::new(gpu, shot)?),
         Some(set) => {
-            set.go_on(gpu, shot)?;
+            set.go_on(shot)?;
             set
         }
     };

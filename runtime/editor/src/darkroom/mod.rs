@@ -77,17 +77,24 @@ pub(crate) fn still(shot: &Shot, path: &Path, progress: &Progress) -> Result<(),
 fn inspected(gpu: &Gpu, shot: &Shot, inspection: &Inspection, progress: &Progress) -> Result<Option<Vec<u8>>, String> {
     let values = shot.wanted.parameters(&shot.scene);
     let model = Model::new(gpu, &shot.scene.picture(), &values).map_err(said)?;
-    let frame = model.extent(gpu).map_err(said)?;
-    let aspect = f64::from(shot.size[0]) / f64::from(shot.size[1].max(1));
-    let view = match shot.wanted.eye {
-        Eye::At(view) => view,
-        eye => View::framing(&eye.camera(&shot.scene.camera), &values, &frame, aspect),
-    };
+    let view = seen(gpu, &model, &shot.wanted.eye, &shot.scene, shot.size)?;
     let mut inspector = Inspector::new(gpu, &model).map_err(said)?;
     inspector.set_parameters(&values).map_err(said)?;
     let drawing = inspector.draw_while(view, shot.size, inspection, &|| !progress.is_cancelled()).map_err(said)?;
     progress.step();
     Ok(drawing.map(|drawing| drawing.pixels))
+}
+
+/// From where a scene is seen in a picture of that size.
+fn seen(gpu: &Gpu, model: &Model, eye: &Eye, scene: &Scene, size: [u32; 2]) -> Result<View, String> {
+    match eye {
+        Eye::At(view) => Ok(*view),
+        eye => View::framing_model(gpu, model, &eye.camera(&scene.camera), aspect(size)).map_err(said),
+    }
+}
+
+fn aspect([width, height]: [u32; 2]) -> f64 {
+    f64::from(width) / f64::from(height.max(1))
 }
 
 fn said(error: impl std::fmt::Display) -> String {

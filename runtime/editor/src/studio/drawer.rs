@@ -291,9 +291,8 @@ impl Easel {
 /// The view that shows all of a subject.
 fn framed(subject: &Subject, eye: &Eye, parameters: &[f64], size: [u32; 2]) -> Result<View, Error> {
     subject.model.set_parameters(&subject.gpu, parameters)?;
-    let extent = subject.model.extent(&subject.gpu)?;
     let aspect = f64::from(size[0]) / f64::from(size[1]);
-    Ok(View::framing(&eye.camera(&subject.scene.camera), parameters, &extent, aspect))
+    View::framing_model(&subject.gpu, &subject.model, &eye.camera(&subject.scene.camera), aspect)
 }
 
 /// What a frame shows.

@@ -214,6 +214,12 @@ fn paint_one(painter: &Painter, view: View, rect: Rect, at: [f64; 3], handle: &H
 }
 
 #[cfg(test)]
+pub(super) fn described(editor: &Editor) -> Vec<(String, Result<f64, String>, [f64; 3])> {
+    let described = |handle: Handle| (handle.label, handle.number.map(|number| number.value), handle.at);
+    found::handles(editor).unwrap_or_default().into_iter().map(described).collect()
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -14,7 +14,7 @@ pub(crate) use selection::Selection;
 
 use chiaro_compiler::Scene;
 use chiaro_compiler::shader::Shadows;
-use chiaro_render::{Direct, View};
+use chiaro_render::{Direct, Plane, View};
 use egui::{Align2, Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, Vec2, pos2};
 
 use crate::app::Editor;
@@ -45,6 +45,8 @@ pub(crate) struct Viewport {
     /// Where the picture is in the window.
     rect: Option<Rect>,
     pub(crate) look: Look,
+    /// The plane of the last section.
+    plane: Option<Plane>,
     pub(crate) direct: Direct,
     /// The method on the other side of the divider, and where that is as a part of the width.
     pub(crate) compared: Option<(Direct, f32)>,
@@ -75,6 +77,7 @@ impl Default for Viewport {
             timings: Timings::default(),
             rect: None,
             look: Look::Lit,
+            plane: None,
             direct: Direct::By(Shadows::Verified),
             compared: None,
             floor: true,
@@ -174,6 +177,7 @@ fn begin_with_new_text(editor: &mut Editor) {
         editor.viewport.document = Some(drawn);
         editor.viewport.eye = Eye::Scene;
         editor.viewport.selection = None;
+        editor.viewport.plane = None;
     }
 }
 
@@ -246,5 +250,10 @@ impl Viewport {
         let rect = self.rect?;
         let ([x, y], _) = self.drawn?.project(point, [rect.width() as u32, rect.height() as u32])?;
         Some(rect.min + egui::vec2(x as f32, y as f32))
+    }
+
+    /// The selection's handles: name, number or why there is none, and place.
+    pub(crate) fn handles(&self, editor: &Editor) -> Vec<(String, Result<f64, String>, [f64; 3])> {
+        handles::described(editor)
     }
 }

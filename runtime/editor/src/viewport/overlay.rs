@@ -112,7 +112,8 @@ fn look_menu(editor: &mut Editor, ui: &mut Ui) {
 
 /// The choices of what to show.
 pub(crate) fn looks(editor: &mut Editor, ui: &mut Ui) {
-    let plane = Plane { normal: [0.0, 1.0, 0.0], offset: editor.viewport.drawn.map_or(0.0, |view| view.target[1]) };
+    let offset = editor.viewport.drawn.map_or(0.0, |view| view.target[1]);
+    let plane = editor.viewport.plane.unwrap_or(Plane { normal: [0.0, 1.0, 0.0], offset });
     let looks = [
         Look::Lit,
         Look::Inspected(Inspection::Normals),
@@ -167,6 +168,7 @@ fn section_controls(editor: &mut Editor, ui: &mut Ui) {
         let range = finite(bounds.min[axis], -100.0)..=finite(bounds.max[axis], 100.0);
         ui.add(Slider::new(&mut plane.offset, range).text("mm"));
     });
+    editor.viewport.plane = Some(*plane);
 }
 
 fn light_menu(editor: &mut Editor, ui: &mut Ui) {
