@@ -172,7 +172,8 @@ fn placements_turn_drags_into_local_units() {
 
 #[test]
 fn local_bounds_are_in_the_coordinates_of_the_text() {
-    let scene = compiled("w = 3; rotate([0, 0, 90]) translate([5, 0, 0]) cube([2 * w, 1, w]); cylinder(r = w, h = w + 1);");
+    let scene =
+        compiled("w = 3; rotate([0, 0, 90]) translate([5, 0, 0]) cube([2 * w, 1, w]); cylinder(r = w, h = w + 1);");
     let bounds = |before| {
         let solid = scene.provenance.nodes_at(FileId(0), scene.offset(before))[0];
         let bounds = scene.provenance.local_bounds(solid, &[]);

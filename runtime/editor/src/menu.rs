@@ -34,9 +34,9 @@ pub(crate) fn shortcuts(editor: &mut Editor, context: &Context) {
     if editor.dialogs.is_blocking() {
         return;
     }
-    for command in std::mem::take(&mut editor.postponed) {
-        if command.is_possible(editor) {
-            command.run(editor, context);
+    if !editor.text.is_behind() {
+        for command in std::mem::take(&mut editor.postponed) {
+            run(editor, context, command);
         }
     }
     // Of short cuts that differ by a modifier, the one with more of them is looked for first.
@@ -49,16 +49,22 @@ pub(crate) fn shortcuts(editor: &mut Editor, context: &Context) {
     });
     for (command, shortcut) in commands {
         let is_allowed = !editor.only_picture || matches!(command, Command::Quit | Command::FrameAll | Command::Play);
-        let follows_text = context.input(|input| follows_text(&input.events, shortcut.logical_key));
+        let is_late = context.input(|input| follows_text(&input.events, shortcut.logical_key));
         if !is_allowed || !context.input_mut(|input| input.consume_shortcut(&shortcut)) {
             continue;
         }
-        if follows_text {
+        if is_late || editor.text.is_behind() {
             editor.postponed.push(command);
             context.request_repaint();
-        } else if command.is_possible(editor) {
-            command.run(editor, context);
+        } else {
+            run(editor, context, command);
         }
+    }
+}
+
+fn run(editor: &mut Editor, context: &Context, command: Command) {
+    if command.is_possible(editor) {
+        command.run(editor, context);
     }
 }
 

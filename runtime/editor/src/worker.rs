@@ -1,5 +1,6 @@
 //! Work of some length, off the window's thread.
 
+use std::any::Any;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::thread::JoinHandle;
@@ -49,12 +50,15 @@ impl<T: Send + 'static> Job<T> {
             return None;
         }
         let result = self.thread.take()?.join();
-        Some(result.map_err(|panic| {
-            let message = panic.downcast_ref::<String>().map(String::as_str);
-            let message = message.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("for an unknown reason");
-            format!("this is a mistake in Chiaro, not in your scene: {message}")
-        }))
+        Some(result.map_err(|panic| mistake(&*panic)))
     }
+}
+
+/// What a panic has to say to the user.
+pub(crate) fn mistake(panic: &(dyn Any + Send)) -> String {
+    let message = panic.downcast_ref::<String>().map(String::as_str);
+    let message = message.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("for an unknown reason");
+    format!("this is a mistake in Chiaro, not in your scene: {message}")
 }
 
 impl Progress {

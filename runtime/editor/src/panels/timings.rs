@@ -90,9 +90,9 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
             row(ui, "Nodes of the field", &shown.scene.graph.nodes.len().to_string());
             row(ui, "Live numbers", &shown.scene.graph.slots.len().to_string());
         }
-        if let Some([median, slow]) = quantiles(&window) {
+        if let Some([median, _]) = quantiles(&window) {
             let longest = window.iter().copied().fold(0.0, f32::max);
-            row(ui, "Window", &format!("{median:.0} ms, 95 of 100 below {slow:.0}, longest {longest:.0}"));
+            row(ui, "Window", &format!("{median:.0} ms, at most {longest:.0} ms"));
         }
         if let Some(bytes) = history.memory() {
             row(ui, "Memory", &format!("{:.0} MiB", bytes as f64 / f64::from(1 << 20)));
@@ -125,7 +125,8 @@ fn stages(ui: &mut Ui, timings: &Timings) {
 
 fn row(ui: &mut Ui, name: &str, value: &str) {
     ui.label(name);
-    ui.add(egui::Label::new(egui::RichText::new(value).monospace()).truncate()).on_hover_text(value);
+    // (What had to be cut is shown when the pointer rests on it.)
+    ui.add(egui::Label::new(egui::RichText::new(value).monospace()).truncate());
     ui.end_row();
 }
 

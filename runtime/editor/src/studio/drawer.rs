@@ -90,7 +90,7 @@ enum Stage {
 
 impl Easel {
     fn is_busy(&self) -> bool {
-        self.stage != Stage::Done && self.subject.is_some()
+        self.stage != Stage::Done && self.subject.is_some() && self.wanted.samples > 0
     }
 
     /// Forgets the subject: the picture before stays in the window until another one comes.
@@ -131,7 +131,7 @@ impl Easel {
     /// Draws for about a tenth of a second. A frame, if there is something new to show. What takes longer is given up when it
     /// need not go on.
     fn work(&mut self, goes_on: &dyn Fn() -> bool) -> Result<Option<Frame>, Error> {
-        if self.subject.is_none() {
+        if !self.is_busy() {
             return Ok(None);
         }
         let drawn = match (self.stage, self.wanted.look) {

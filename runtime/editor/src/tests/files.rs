@@ -116,9 +116,16 @@ fn other_files_are_not_overwritten_without_asking() {
 fn what_is_opened_beside_another_text_is_drawn() {
     let mut person = Person::with_files(&[("main.csg", "cube(4);\n"), ("other.csg", "cube(9);\n")]);
     person.until_drawn();
+    let before = person.editor().viewport.drawn.unwrap().distance;
     let other = person.file("other.csg");
     person.editor_mut().open(&other);
     person.until("drawn", |editor| reach(editor) == 9.0);
+    person.until_drawn();
+    let now = person.editor().viewport.drawn.unwrap().distance;
+    assert!(
+        (now / before - 9.0 / 4.0).abs() < 0.1,
+        "it is not framed anew: seen from {now} mm, the one before from {before}"
+    );
     assert_eq!(person.editor().session.active().title(), "other.csg");
     // Closing a text before the one that is edited keeps that.
     person.editor_mut().session.close(0);

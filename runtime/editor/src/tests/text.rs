@@ -80,21 +80,24 @@ fn numbers_are_dragged_and_the_drag_is_undone_at_once() {
     assert_eq!(person.text(), "translate([5, 0, 0]) sphere(20);\n");
 }
 
+/// What a keyboard tells when a key is pressed and released.
+fn stroke(key: Key, modifiers: Modifiers, text: Option<&str>) -> Vec<Event> {
+    let key = |pressed| Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
+    let letter = text.map(|text| Event::Text(text.to_owned()));
+    [Some(key(true)), letter, Some(key(false))].into_iter().flatten().collect()
+}
+
 #[test]
-fn what_is_typed_while_the_window_is_slow_is_not_lost() {
+fn what_is_typed_while_the_window_is_slow_is_there_at_once() {
     let mut person = Person::with("\n");
     person.goes_to("\n");
-    person.at_once("cube(3);sphere(".chars().map(|letter| Event::Text(letter.to_string())));
+    let letters = |text: &'static str| {
+        text.split_inclusive(|_: char| true).flat_map(|letter| stroke(Key::A, Modifiers::NONE, Some(letter)))
+    };
+    person.at_once(letters("cube(3);sphere("));
     assert_eq!(person.text(), "cube(3);sphere()\n");
     // What was typed before a short cut belongs before it, even if both are seen together.
-    let save = |pressed| Event::Key {
-        key: Key::Q,
-        physical_key: None,
-        pressed,
-        repeat: false,
-        modifiers: Modifiers::COMMAND,
-    };
-    person.at_once([Event::Text("2".to_owned()), Event::Text(")".to_owned()), save(true), save(false)]);
+    person.at_once(letters("2)").chain(stroke(Key::Q, Modifiers::COMMAND, None)));
     assert_eq!(person.text(), "cube(3);sphere(2)\n");
     person.frames(2);
     person.harness.get_by_label_contains("Save the changes").rect();
