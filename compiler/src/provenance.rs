@@ -165,6 +165,13 @@ impl Provenance {
         node.map_or(Bounds::EMPTY, |node| self.moment(parameters).bounds[node.0 as usize])
     }
 
+    /// A solid's box in the coordinates that it is written in, while the live parameters have these values. It is lowered
+    /// alone, which is quick for a shape.
+    pub fn local_bounds(&self, solid: SolidId, parameters: &[f64]) -> Bounds {
+        let (graph, _) = chiaro_field::lower(self.solid(solid));
+        graph.bounds_at(parameters)[graph.root.0 as usize]
+    }
+
     /// The scene's solids as they are written, with facts about their field, while the live parameters have these values.
     pub fn tree(&self, parameters: &[f64]) -> Tree {
         tree::tree(&self.lineage, &self.sites, &self.moment(parameters).bounds)

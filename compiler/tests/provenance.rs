@@ -171,6 +171,19 @@ fn placements_turn_drags_into_local_units() {
 }
 
 #[test]
+fn local_bounds_are_in_the_coordinates_of_the_text() {
+    let scene =
+        compiled("w = 3; rotate([0, 0, 90]) translate([5, 0, 0]) cube([2 * w, 1, w]); cylinder(r = w, h = w + 1);");
+    let bounds = |before| {
+        let solid = scene.provenance.nodes_at(FileId(0), scene.offset(before))[0];
+        let bounds = scene.provenance.local_bounds(solid, &[]);
+        [bounds.min, bounds.max]
+    };
+    assert_eq!(bounds("cube"), [[0.0; 3], [6.0, 1.0, 3.0]]);
+    assert_eq!(bounds("cylinder"), [[-3.0, -3.0, 0.0], [3.0, 3.0, 4.0]]);
+}
+
+#[test]
 fn rays_hit_where_the_surface_is() {
     let scene = compiled("translate([0, 0, 1]) sphere(2);");
     let point = scene.provenance.hit([0.0, 0.0, 50.0], [0.0, 0.0, -3.0], &[]).unwrap();

@@ -1,12 +1,12 @@
-//! The numbers behind a shape: which arguments of a call are written out, and so can be dragged.
+//! The numbers behind a shape: which arguments of a call are written out somewhere, and so can be dragged.
 
 use std::ops::Range;
 
 use chiaro_syntax::tree::{Argument, Element, Expression, ExpressionKind, File, Instance, Statement, UnaryOperator};
 use chiaro_syntax::{Dialect, FileId, Token, TokenKind, parse};
 
-use crate::index::{Index, Namespace, Role};
-use crate::numbers::{NumberLiteral, value};
+use crate::index::{Index, Namespace, Role, What};
+use crate::numbers::{NumberLiteral, numbers, value};
 use crate::{manual, tokens};
 
 /// An argument of a call.
@@ -25,7 +25,7 @@ pub struct CallArgument {
 /// What an argument's value is, as the text has it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Literal {
-    /// A number that can be changed in the text.
+    /// A number that can be changed in the text: where it is used, or where a variable is set to it.
     Number(NumberLiteral),
     /// A list whose elements are written one by one.
     List(Vec<Literal>),
@@ -40,7 +40,8 @@ pub enum Literal {
 pub fn literals_of_call(text: &str, span: Range<usize>) -> Option<Vec<CallArgument>> {
     let (file, _) = parse(FileId(0), text, Dialect::Dump);
     let instance = find(&file, &span)?;
-    let names = parameters(text, &file, instance);
+    let index = Index::of_tree(text, &file);
+    let names = parameters(&index, instance);
     let mut unnamed = names.iter().filter(|name| !instance.arguments.iter().any(|argument| is_for(argument, name)));
     let arguments = instance.arguments.iter().map(|argument| CallArgument {
         parameter: match &argument.name {
@@ -49,7 +50,7 @@ pub fn literals_of_call(text: &str, span: Range<usize>) -> Option<Vec<CallArgume
         },
         named: argument.name.is_some(),
         range: argument.value.span.range(),
-        value: literal(text, &argument.value),
+        value: literal(text, &index, &argument.value),
     });
     Some(arguments.collect())
 }
@@ -88,8 +89,7 @@ fn visit<'a>(statements: &'a [Statement], show: &mut impl FnMut(&'a Instance)) {
 }
 
 /// The names of the parameters that arguments without a name go to, in order.
-fn parameters(text: &str, file: &File, instance: &Instance) -> Vec<String> {
-    let index = Index::of_tree(text, file);
+fn parameters(index: &Index, instance: &Instance) -> Vec<String> {
     let is_name = |occurrence: &&crate::index::Occurrence| {
         occurrence.range == instance.name.span.range() && occurrence.role == Role::Of(Namespace::Module)
     };
@@ -104,21 +104,30 @@ fn parameters(text: &str, file: &File, instance: &Instance) -> Vec<String> {
     }
 }
 
-fn literal(text: &str, expression: &Expression) -> Literal {
-    if let Some(number) = literal_number(text, expression) {
+fn literal(text: &str, index: &Index, expression: &Expression) -> Literal {
+    if let Some(number) = literal_number(text, expression).or_else(|| number_of_variable(text, index, expression)) {
         return Literal::Number(number);
     }
     match &*expression.kind {
         ExpressionKind::Undef | ExpressionKind::Bool(_) | ExpressionKind::String(_) => Literal::Other,
         ExpressionKind::List(elements) if elements.iter().all(|element| matches!(element, Element::Value(_))) => {
             let values = elements.iter().filter_map(|element| match element {
-                Element::Value(value) => Some(literal(text, value)),
+                Element::Value(value) => Some(literal(text, index, value)),
                 _ => None,
             });
             Literal::List(values.collect())
         }
         _ => Literal::Computed(reason(text, expression)),
     }
+}
+
+/// The number that a variable of the text is set to, if the expression is its name.
+fn number_of_variable(text: &str, index: &Index, expression: &Expression) -> Option<NumberLiteral> {
+    let ExpressionKind::Name(_) = &*expression.kind else { return None };
+    let occurrence = index.occurrences.iter().find(|occurrence| occurrence.range == expression.span.range())?;
+    let definition = &index.definitions[occurrence.definition?];
+    let value = definition.value.clone().filter(|_| definition.what == What::Variable)?;
+    numbers(text).into_iter().find(|number| number.range == value)
 }
 
 /// Why a value can't be changed where it is used.
@@ -205,7 +214,7 @@ mod tests {
 
     #[test]
     fn what_is_computed_says_from_what() {
-        let text = "a = 2; cube([a, 2, 2 * a + b], center = true, r = sin(30));";
+        let text = "a = 2 + 1; cube([a, 2, 2 * a + b], center = true, r = sin(30));";
         assert_eq!(
             arguments(text, "cube"),
             [
@@ -214,6 +223,14 @@ mod tests {
                 pair("r", "computed here"),
             ]
         );
+    }
+
+    #[test]
+    fn the_number_behind_a_variable_is_where_it_is_set() {
+        let text = "a = -2; cube([a, 1, c]); module leg(h = 3) { b = 7; cylinder(h, b); } for (i = [0:2]) sphere(i);";
+        assert_eq!(arguments(text, "cube"), [pair("size", "[-2 = -2, 1 = 1, computed from `c`]")]);
+        assert_eq!(arguments(text, "cylinder"), [pair("h", "computed from `h`"), pair("r1", "7 = 7")]);
+        assert_eq!(arguments(text, "sphere"), [pair("r", "computed from `i`")]);
     }
 
     #[test]

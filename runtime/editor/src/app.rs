@@ -1,11 +1,13 @@
 //! The window's contents.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use chiaro_render::Preference;
 use egui::{CentralPanel, Context, Panel, Ui};
 
 use crate::clock::Clock;
+use crate::command::Command;
 use crate::gallery::Gallery;
 use crate::recovery::Recovery;
 use crate::session::Session;
@@ -15,6 +17,9 @@ use crate::{dialogs, gallery, menu, panels, status, text, theme};
 
 /// The part of the window's width that the text has at first.
 const TEXT: f32 = 0.38;
+
+/// The width of the panels at first, in points.
+const PANEL: f32 = 356.0;
 
 /// How the editor starts.
 #[derive(Clone, Debug, Default)]
@@ -44,6 +49,8 @@ pub struct Editor {
     pub(crate) recovery: Recovery,
     pub(crate) adapter: Preference,
     pub(crate) only_picture: bool,
+    /// What was asked for after something that had yet to be written into the text: done in the next frame.
+    pub(crate) postponed: Vec<Command>,
     /// The size of text that the window's style was made for, in points.
     styled: f32,
     /// What the window is called.
@@ -75,6 +82,7 @@ impl Editor {
             recovery,
             adapter: options.adapter,
             only_picture: options.only_picture,
+            postponed: Vec::new(),
             styled: 0.0,
             title: String::new(),
         };
@@ -100,16 +108,20 @@ impl Editor {
                     self.settings.opened(&path);
                 }
             }
-            Err(reason) => self.session.failure = Some(reason),
+            Err(reason) => {
+                self.session.failure = Some(reason);
+                self.settings.recent.retain(|recent| recent != path || path.exists());
+            }
         }
     }
 
     /// Opens the files of the last time, as they were then.
     fn open_last(&mut self) {
-        let drawn = self.settings.drawn.clone();
+        let (drawn, recent) = (self.settings.drawn.clone(), self.settings.recent.clone());
         // Those that are gone meanwhile are no trouble of this time.
         let there: Vec<PathBuf> = self.settings.open.iter().filter(|file| file.exists()).cloned().collect();
         there.iter().chain(drawn.iter().filter(|file| there.contains(file))).for_each(|file| self.open(file));
+        self.settings.recent = recent;
     }
 
     /// Opens a file, or begins it if there is none.
@@ -168,7 +180,7 @@ impl Editor {
 }
 
 impl eframe::App for Editor {
-    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
         self.style(&ui.ctx().clone());
         self.name_window(&ui.ctx().clone());
         self.take_dropped(&ui.ctx().clone());
@@ -176,7 +188,7 @@ impl eframe::App for Editor {
             ui.ctx().request_repaint_after(due);
         }
         self.advance_clock(ui);
-        panels::follow(self);
+        panels::follow(self, frame.info().cpu_usage.map(Duration::from_secs_f32));
         self.recovery.keep(ui.ctx(), self.session.documents());
         menu::shortcuts(self, &ui.ctx().clone());
         if !self.only_picture {
@@ -187,7 +199,7 @@ impl eframe::App for Editor {
             let width = ui.available_width();
             Panel::left("text").default_size((TEXT * width).min(560.0)).show(ui, |ui| text::show(self, ui));
             if self.settings.shows_panel {
-                Panel::right("panel").default_size(336.0).min_size(240.0).show(ui, |ui| panels::show(self, ui));
+                Panel::right("panel").default_size(PANEL).min_size(240.0).show(ui, |ui| panels::show(self, ui));
             }
         }
         if self.only_picture && self.session.has_errors() {

@@ -141,9 +141,9 @@ impl Command {
             Command::SaveAs => editor.save_active(context, true),
             Command::SaveAll => editor.save_all(context),
             Command::Close => editor.ask_to_close(editor.session.active_index()),
-            Command::Export => editor.dialogs.open_export(Export::of_scene(editor)),
-            Command::Screenshot => editor.dialogs.open_export(Export::of_picture(editor)),
-            Command::Record => editor.dialogs.open_record(Record::new(editor)),
+            Command::Export => editor.dialogs.open(Export::of_scene(editor)),
+            Command::Screenshot => editor.dialogs.open(Export::of_picture(editor)),
+            Command::Record => editor.dialogs.open(Record::new(editor)),
             Command::Quit => {
                 if editor.may_quit() {
                     context.send_viewport_cmd(ViewportCommand::Close);

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use egui::{Button, Context, Ui};
+use egui::{Button, Context, Event, Key, Ui};
 
 use crate::app::Editor;
 use crate::command::Command;
@@ -34,6 +34,11 @@ pub(crate) fn shortcuts(editor: &mut Editor, context: &Context) {
     if editor.dialogs.is_blocking() {
         return;
     }
+    if !editor.text.is_behind() {
+        for command in std::mem::take(&mut editor.postponed) {
+            run(editor, context, command);
+        }
+    }
     // Of short cuts that differ by a modifier, the one with more of them is looked for first.
     let is_own = |command: &Command| !matches!(command, Command::Text(_));
     let own = Command::ALL.into_iter().filter(is_own);
@@ -44,10 +49,30 @@ pub(crate) fn shortcuts(editor: &mut Editor, context: &Context) {
     });
     for (command, shortcut) in commands {
         let is_allowed = !editor.only_picture || matches!(command, Command::Quit | Command::FrameAll | Command::Play);
-        if is_allowed && context.input_mut(|input| input.consume_shortcut(&shortcut)) && command.is_possible(editor) {
-            command.run(editor, context);
+        let is_late = context.input(|input| follows_text(&input.events, shortcut.logical_key));
+        if !is_allowed || !context.input_mut(|input| input.consume_shortcut(&shortcut)) {
+            continue;
+        }
+        if is_late || editor.text.is_behind() {
+            editor.postponed.push(command);
+            context.request_repaint();
+        } else {
+            run(editor, context, command);
         }
     }
+}
+
+fn run(editor: &mut Editor, context: &Context, command: Command) {
+    if command.is_possible(editor) {
+        command.run(editor, context);
+    }
+}
+
+/// Whether something was typed before a key was pressed, in a frame that sees both: then that is to be in the text first.
+fn follows_text(events: &[Event], shortcut: Key) -> bool {
+    let is_pressed = |event: &Event| matches!(event, Event::Key { key, pressed: true, .. } if *key == shortcut);
+    let before = events.iter().position(is_pressed).map_or(&[][..], |at| &events[..at]);
+    before.iter().any(|event| matches!(event, Event::Text(_) | Event::Paste(_)))
 }
 
 fn items(editor: &mut Editor, ui: &mut Ui, commands: &[Command]) {

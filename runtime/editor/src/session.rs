@@ -28,6 +28,8 @@ pub(crate) struct Session {
     watch: Watch,
     running: Option<Running>,
     revision: u64,
+    /// The first revision of the text that is drawn since it is.
+    scene_since: u64,
     /// Which state of the texts the newest picture is of.
     drawn: u64,
     /// What the command line said about top-level variables.
@@ -96,6 +98,7 @@ impl Session {
             watch: Watch::new(wake),
             running: None,
             revision: 0,
+            scene_since: 0,
             drawn: 0,
             given: Vec::new(),
             definitions: BTreeMap::new(),
@@ -232,6 +235,7 @@ impl Session {
         self.definitions.clear();
         self.values.clear();
         self.compile(None);
+        self.scene_since = self.revision;
     }
 
     /// To be called when any text changed: draws what it says now.
@@ -445,6 +449,11 @@ impl Session {
     /// How long ago the compiler was asked last.
     pub(crate) fn waits_since(&self) -> Option<Duration> {
         self.running.as_ref().map(|running| running.since.elapsed())
+    }
+
+    /// Whether a frame is of the text that is drawn, and not of one that was drawn before.
+    pub(crate) fn is_of_scene(&self, frame: &Frame) -> bool {
+        frame.revision >= self.scene_since
     }
 
     /// Whether the picture is of an older text than the one that is open.

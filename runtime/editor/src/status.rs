@@ -38,15 +38,16 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     });
 }
 
-/// What is there to be looked up. It gives way to the rest where there is little room.
+/// What is there to be looked up. It gives way to the rest where there is little room, and is shown in full when the pointer
+/// rests on it.
 fn quiet(ui: &mut Ui, text: String) {
-    ui.add(Label::new(RichText::new(&text).weak()).truncate()).on_hover_text(text);
+    ui.add(Label::new(RichText::new(text).weak()).truncate());
 }
 
 /// What is wrong: as much of it as there is room for.
 fn loud(ui: &mut Ui, text: &str) {
     let color = ui.visuals().error_fg_color;
-    ui.add(Label::new(RichText::new(text).color(color)).truncate()).on_hover_text(text);
+    ui.add(Label::new(RichText::new(text).color(color)).truncate());
 }
 
 /// What the user asked for and could not be done, until they have seen it.

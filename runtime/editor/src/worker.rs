@@ -1,7 +1,8 @@
 //! Work of some length, off the window's thread.
 
+use std::any::Any;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::thread::JoinHandle;
 
 use egui::Context;
@@ -14,8 +15,8 @@ pub(crate) struct Job<T> {
 
 /// How far some work is, and whether it is still wanted.
 pub(crate) struct Progress {
-    done: AtomicU32,
-    all: AtomicU32,
+    done: AtomicU64,
+    all: AtomicU64,
     cancelled: AtomicBool,
     context: Context,
 }
@@ -27,8 +28,8 @@ impl<T: Send + 'static> Job<T> {
         work: impl FnOnce(&Progress) -> T + Send + 'static,
     ) -> std::io::Result<Self> {
         let progress = Arc::new(Progress {
-            done: AtomicU32::new(0),
-            all: AtomicU32::new(0),
+            done: AtomicU64::new(0),
+            all: AtomicU64::new(0),
             cancelled: AtomicBool::new(false),
             context: context.clone(),
         });
@@ -49,24 +50,27 @@ impl<T: Send + 'static> Job<T> {
             return None;
         }
         let result = self.thread.take()?.join();
-        Some(result.map_err(|panic| {
-            let message = panic.downcast_ref::<String>().map(String::as_str);
-            let message = message.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("for an unknown reason");
-            format!("this is a mistake in Chiaro, not in your scene: {message}")
-        }))
+        Some(result.map_err(|panic| mistake(&*panic)))
     }
+}
+
+/// What a panic has to say to the user.
+pub(crate) fn mistake(panic: &(dyn Any + Send)) -> String {
+    let message = panic.downcast_ref::<String>().map(String::as_str);
+    let message = message.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("for an unknown reason");
+    format!("this is a mistake in Chiaro, not in your scene: {message}")
 }
 
 impl Progress {
     /// Says how many steps there are.
-    pub(crate) fn expect(&self, all: u32) {
+    pub(crate) fn expect(&self, all: u64) {
         self.all.store(all, Ordering::Relaxed);
     }
 
     /// So many of so many steps are done.
     pub(crate) fn show(&self, done: usize, of: usize) {
-        self.all.store(of.try_into().unwrap_or(u32::MAX), Ordering::Relaxed);
-        self.done.store(done.try_into().unwrap_or(u32::MAX), Ordering::Relaxed);
+        self.all.store(of as u64, Ordering::Relaxed);
+        self.done.store(done as u64, Ordering::Relaxed);
         self.context.request_repaint();
     }
 

@@ -30,11 +30,16 @@ impl Format {
 }
 
 /// Writes eight-bit RGBA pixels, row by row from the top.
-pub fn write_png(path: &Path, (width, height): (u32, u32), rgba: Vec<u8>) -> Result<()> {
+pub fn write_png(path: &Path, size: (u32, u32), rgba: Vec<u8>) -> Result<()> {
+    write(path, &png(size, rgba)?)
+}
+
+/// Eight-bit RGBA pixels, row by row from the top, as the bytes of a file.
+pub fn png((width, height): (u32, u32), rgba: Vec<u8>) -> Result<Vec<u8>> {
     let image = image::RgbaImage::from_raw(width, height, rgba).context("the picture has the wrong size")?;
     let mut bytes = Cursor::new(Vec::new());
     image.write_to(&mut bytes, image::ImageFormat::Png).context("cannot encode the picture")?;
-    write(path, bytes.get_ref())
+    Ok(bytes.into_inner())
 }
 
 /// Writes linear RGB radiance, row by row from the top.

@@ -1,10 +1,34 @@
 //! Files written whole or not at all.
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempPath};
+
+/// Files that belong together and are made one after the other: none takes its place before all are written, and nothing is
+/// left of them where that doesn't come.
+#[derive(Debug, Default)]
+pub struct Batch {
+    staged: Vec<(PathBuf, TempPath)>,
+}
+
+impl Batch {
+    /// Writes `bytes`, which are to become the file at `path`.
+    pub fn write(&mut self, path: &Path, bytes: &[u8]) -> Result<()> {
+        let staged = stage(path, bytes).with_context(|| failure(path))?;
+        self.staged.push((path.to_owned(), staged));
+        Ok(())
+    }
+
+    /// Puts all of them in their places.
+    pub fn finish(self) -> Result<()> {
+        for (path, file) in self.staged {
+            file.persist(&path).map_err(|error| error.error).with_context(|| failure(&path))?;
+        }
+        Ok(())
+    }
+}
 
 /// Writes `bytes` to `path`: into a temporary file beside it, which then takes its place.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
@@ -13,11 +37,9 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
 
 /// Writes files that belong together: none takes its place before all are written.
 pub fn write_all(files: &[(&Path, &[u8])]) -> Result<()> {
-    let staged = files.iter().map(|(path, bytes)| Ok((*path, stage(path, bytes).with_context(|| failure(path))?)));
-    for (path, file) in staged.collect::<Result<Vec<_>>>()? {
-        file.persist(path).map_err(|error| error.error).with_context(|| failure(path))?;
-    }
-    Ok(())
+    let mut batch = Batch::default();
+    files.iter().try_for_each(|(path, bytes)| batch.write(path, bytes))?;
+    batch.finish()
 }
 
 /// Writes files that are all in one folder. Where there is no folder yet, it appears with all of them in it.
@@ -46,7 +68,7 @@ fn failure(path: &Path) -> String {
 }
 
 /// The temporary file that is to become the one at `path`.
-fn stage(path: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
+fn stage(path: &Path, bytes: &[u8]) -> std::io::Result<TempPath> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -54,7 +76,7 @@ fn stage(path: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
     let mut file = NamedTempFile::new_in(folder)?;
     file.write_all(bytes)?;
     make_readable(file.path(), path)?;
-    Ok(file)
+    Ok(file.into_temp_path())
 }
 
 /// Temporary files are private; what takes the place of a file may be read by the same people, and what is new by all.

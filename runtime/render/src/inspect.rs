@@ -36,8 +36,9 @@ pub enum Inspection {
     Evaluations,
     /// The scene cut open by a plane, on which the distance's contours are drawn.
     Section(Plane),
-    /// What the distances of the operand that made the surface are: exact everywhere, exact outside, or a bound; paler
-    /// where they are too long by the Lipschitz constant.
+    /// What the distances of the operand that made the surface are: exact everywhere, exact outside, or a bound; redder where
+    /// anything in it is steep. Its Lipschitz constant L tells by how much: distances are divided by it before they are
+    /// compared with others, which takes rays more steps.
     FieldClass,
     /// How far the slope of the distance is from 1, on a plane or else on the surface. Where a distance is exact its slope is
     /// 1; so that is what tells without knowing the true distance. A slope of 1 does not prove it.
@@ -349,7 +350,7 @@ impl Inspector {
 
     fn uniform(&self, look: &Look) -> ViewUniform {
         let studio = Studio { floor: None, azimuth: 0.0 };
-        ViewUniform::new(&look.view, &self.model.bounds, self.model.lipschitz, studio, look.size)
+        ViewUniform::new(&look.view, &self.model.bounds(), self.model.lipschitz, studio, look.size)
     }
 
     /// Runs a program for each pixel, part by part, as long as `goes_on` says so; none if it said no.

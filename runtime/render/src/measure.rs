@@ -25,7 +25,8 @@ const CONES_END_EARLY: f64 = 0.04;
 
 /// The box that the model fills, within its bounds, for its present live numbers.
 pub(crate) fn extent(gpu: &Gpu, model: &Model) -> Result<Bounds> {
-    let mut extent = model.bounds;
+    let bounds = model.bounds();
+    let mut extent = bounds;
     for axis in 0..3 {
         let [below, above] = [-1.0, 1.0].map(|side| {
             let mut direction = [0.0; 3];
@@ -36,7 +37,7 @@ pub(crate) fn extent(gpu: &Gpu, model: &Model) -> Result<Bounds> {
         extent.max[axis] = above?;
     }
     // Nothing is to be seen: there is nothing to be framed but the bounds.
-    Ok(if extent.is_empty() { model.bounds } else { extent })
+    Ok(if extent.is_empty() { bounds } else { extent })
 }
 
 /// The height of the model's lowest point, for its present live numbers.
@@ -47,7 +48,7 @@ pub(crate) fn lowest(gpu: &Gpu, model: &Model) -> Result<f64> {
 /// How far the model reaches in a direction, for its present live numbers: the most that p · direction is for a point p
 /// of it.
 pub(crate) fn support(gpu: &Gpu, model: &Model, direction: [f64; 3]) -> Result<f64> {
-    let bounds = &model.bounds;
+    let bounds = &model.bounds();
     let (diagonal, size) = (bounds.diagonal(), direction.iter().map(|x| x * x).sum::<f64>().sqrt());
     let distance = REMOTE * diagonal;
     let field_of_view = 2.0 * (0.5 / (REMOTE - 0.5)).atan().to_degrees();
@@ -84,7 +85,7 @@ fn nearest(gpu: &Gpu, model: &Model, view: &View) -> Result<[f64; 2]> {
     let groups: [&BindGroup; 2] = [&shared, &own];
 
     let studio = Studio { floor: None, azimuth: 0.0 };
-    let uniform = ViewUniform::new(view, &model.bounds, model.lipschitz, studio, [SIZE; 2]);
+    let uniform = ViewUniform::new(view, &model.bounds(), model.lipschitz, studio, [SIZE; 2]);
     let stopwatch = Stopwatch::new(gpu)?;
     let mut before = None;
     for level in levels[1..].iter().chain([&rays]) {

@@ -25,20 +25,18 @@ pub struct Model {
     pub(crate) graph: Arc<Graph>,
     pub(crate) prepass: Program,
     pub(crate) trace: Program,
-    /// Outside there is nothing to draw.
-    pub(crate) bounds: Bounds,
     pub(crate) lipschitz: f64,
     unions: LargeUnions,
     live: Arc<Mutex<Live>>,
-    /// Whether the scene has a lowest point that a floor could be under.
-    has_lower_end: bool,
 }
 
 /// What clones of a model share.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Live {
     /// The live numbers' present values.
     parameters: Vec<f64>,
+    /// The scene's box while they have these.
+    bounds: Bounds,
     /// What was compiled beside the prepass and the trace.
     programs: HashMap<Template, Program>,
 }
@@ -86,11 +84,9 @@ impl Model {
             graph: Arc::new(graph.clone()),
             prepass: Program::new(gpu, prepass, "prepass", true, &[(0, Slot::ReadWrite)])?,
             trace: Program::new(gpu, trace, "trace", true, &TRACE_SLOTS)?,
-            bounds: drawn_bounds(&facts.bounds),
             lipschitz: facts.lipschitz,
             unions,
-            live: Arc::default(),
-            has_lower_end: facts.bounds.min[2].is_finite(),
+            live: Arc::new(Mutex::new(Live { parameters: Vec::new(), bounds: facts.bounds, programs: HashMap::new() })),
         };
         model.set_parameters(gpu, parameters)?;
         Ok(model)
@@ -119,7 +115,9 @@ impl Model {
 
     /// The height of the scene's lowest point while the live numbers have their present values.
     pub(crate) fn lowest(&self, gpu: &Gpu) -> Result<Option<f64>> {
-        if self.has_lower_end { measure::lowest(gpu, self).map(Some) } else { Ok(None) }
+        // Under what goes down without end there is no place for a floor.
+        let has_lower_end = self.live().bounds.min[2].is_finite();
+        if has_lower_end { measure::lowest(gpu, self).map(Some) } else { Ok(None) }
     }
 
     /// Moves the live numbers to these values, in the order of their ids. Pictures of the model have to be told themselves.
@@ -130,7 +128,14 @@ impl Model {
         let mut live = self.live();
         live.programs.values().try_for_each(|program| program.set_parameters(gpu, parameters))?;
         live.parameters = parameters.to_vec();
+        live.bounds = self.graph.bounds_at(parameters)[self.graph.root.0 as usize];
         Ok(())
+    }
+
+    /// The box outside of which there is nothing to draw while the live numbers have their present values: that for all their
+    /// values may be larger than the scene by any factor.
+    pub(crate) fn bounds(&self) -> Bounds {
+        drawn_bounds(&self.live().bounds)
     }
 
     /// The live numbers' present values.

@@ -411,7 +411,7 @@ impl Picture {
     }
 
     fn uniform(&self) -> ViewUniform {
-        ViewUniform::new(&self.view, &self.model.bounds, self.model.lipschitz, self.studio, self.size)
+        ViewUniform::new(&self.view, &self.model.bounds(), self.model.lipschitz, self.studio, self.size)
             .within(&self.lighting)
     }
 

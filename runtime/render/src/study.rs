@@ -342,7 +342,7 @@ impl Study {
 
         let studio = Studio { floor: None, azimuth: 0.0 };
         let whole = Part { origin: [0; 2], size: self.size };
-        let uniform = ViewUniform::new(&view, &self.model.bounds, self.model.lipschitz, studio, self.size)
+        let uniform = ViewUniform::new(&view, &self.model.bounds(), self.model.lipschitz, studio, self.size)
             .at_sample(0, whole, Level { edge: 1, first: 0 }, false)
             .receivers_only();
         gpu.queue.write_buffer(&self.view, 0, bytemuck::bytes_of(&uniform));

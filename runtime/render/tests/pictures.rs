@@ -221,6 +221,20 @@ fn a_model_fills_its_picture_wherever_it_is() {
 }
 
 #[test]
+fn what_live_numbers_could_be_does_not_make_the_scene_a_speck() {
+    let radius = Scalar::parameter(ParameterId(0), Interval::new(1.0, 1e6));
+    let mut scene = Builder::new();
+    scene.shape("sphere", &[radius], [0.0; 3]);
+    let model = Model::new(gpu(), &scene.done(), &[10.0]).unwrap();
+    for radius in [10.0, 300.0] {
+        model.set_parameters(gpu(), &[radius]).unwrap();
+        let extent = model.extent(gpu()).unwrap();
+        let off = |end: f64| (end.abs() / radius - 1.0).abs();
+        assert!(extent.min.into_iter().chain(extent.max).all(|end| off(end) < 0.01), "{radius}: {extent:?}");
+    }
+}
+
+#[test]
 fn nothing_and_endless_solids_are_drawn_too() {
     let mut nothing = Builder::new();
     nothing.add(Node::Nothing, Bounds::EMPTY);

@@ -116,10 +116,9 @@ fn advance(editor: &mut Editor, saving: &mut Saving, context: &Context) -> Resul
             let (id, is_asked) = (*id, !choice.is_in_window() && path == chosen);
             saving.named = None;
             // The system's dialog asked already, if that is the name it knows.
-            let overwrite = Overwrite::if_occupied(&path).filter(|_| !is_asked && !is_own_file(editor, id, &path));
-            match overwrite {
-                Some(overwrite) => saving.taken = Some((id, path, overwrite)),
-                None => save_as(editor, id, path)?,
+            match path.exists() && !is_asked && !is_own_file(editor, id, &path) {
+                true => saving.taken = Some((id, path.clone(), Overwrite::new(path))),
+                false => save_as(editor, id, path)?,
             }
         }
         if let Some((id, path, overwrite)) = &saving.taken {

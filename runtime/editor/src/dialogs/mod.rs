@@ -3,12 +3,14 @@
 mod choice;
 pub(crate) mod export;
 pub(crate) mod files;
+mod frame_size;
 mod keys;
 mod overwrite;
 mod place;
 pub(crate) mod record;
 mod recovered;
 mod unsaved;
+pub(crate) mod writing;
 
 use egui::Ui;
 
@@ -22,8 +24,8 @@ pub(crate) struct Dialogs {
     /// What to do with changes, before something is closed.
     pub(crate) unsaved: Option<unsaved::Unsaved>,
     pub(crate) recovered: Option<Found>,
-    pub(crate) export: Option<export::Export>,
-    pub(crate) record: Option<record::Record>,
+    /// What is to be written: a picture, a mesh, a film.
+    pub(crate) writing: Option<writing::Writing>,
     pub(crate) shows_keys: bool,
     /// Nothing has to be asked any more before the window closes.
     pub(crate) may_quit: bool,
@@ -35,27 +37,18 @@ impl Dialogs {
         self.unsaved.is_some()
             || self.recovered.is_some()
             || self.files.is_asking()
-            || self.export.as_ref().is_some_and(export::Export::is_asking)
-            || self.record.as_ref().is_some_and(record::Record::is_asking)
+            || self.writing.as_ref().is_some_and(writing::Writing::is_asking)
     }
 
-    /// Opens the export in the place of what is open, unless that is at work.
-    pub(crate) fn open_export(&mut self, export: export::Export) {
+    /// Opens a form in the place of what is open, unless that is at work.
+    pub(crate) fn open(&mut self, form: impl writing::Form + 'static) {
         if !self.is_busy() {
-            (self.export, self.record) = (Some(export), None);
-        }
-    }
-
-    /// Opens the recording in the place of what is open, unless that is at work.
-    pub(crate) fn open_record(&mut self, record: record::Record) {
-        if !self.is_busy() {
-            (self.export, self.record) = (None, Some(record));
+            self.writing = Some(writing::Writing::new(form));
         }
     }
 
     pub(crate) fn is_busy(&self) -> bool {
-        self.export.as_ref().is_some_and(export::Export::is_busy)
-            || self.record.as_ref().is_some_and(record::Record::is_busy)
+        self.writing.as_ref().is_some_and(writing::Writing::is_busy)
     }
 }
 
@@ -65,8 +58,7 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     unsaved::catch_close(editor, &context);
     files::poll(editor, &context);
     keys::show(editor, &context);
-    export::show(editor, &context);
-    record::show(editor, &context);
+    writing::show(editor, &context);
     recovered::show(editor, &context);
     unsaved::show(editor, &context);
 }

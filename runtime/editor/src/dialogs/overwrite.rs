@@ -1,6 +1,6 @@
 //! Asking before something is written over.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use egui::{Context, Id, Modal};
 
@@ -11,9 +11,9 @@ pub(crate) struct Overwrite {
 }
 
 impl Overwrite {
-    /// A question, if something is at `path`.
-    pub(super) fn if_occupied(path: &Path) -> Option<Self> {
-        path.exists().then(|| Self { path: path.to_owned() })
+    /// A question about what is at `path`.
+    pub(super) fn new(path: PathBuf) -> Self {
+        Self { path }
     }
 
     /// Asks. The answer, once it is there: whether what is there may be written over.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use egui::{Context, Ui};
 
 use super::choice::Choice;
+use crate::app::Editor;
 
 /// The path of a file to be written.
 pub(crate) struct Place {
@@ -13,9 +14,11 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// A file beside another one, of the same name with another ending; none for a folder.
-    pub(crate) fn beside(other: &Path, ending: Option<&str>) -> Self {
-        let path = std::path::absolute(other).unwrap_or_else(|_| other.to_owned());
+    /// A file beside the scene's, of the same name with another ending; none for a folder.
+    pub(crate) fn beside_scene(editor: &Editor, ending: Option<&str>) -> Self {
+        let scene = editor.session.scene_document();
+        let path = scene.path.clone().unwrap_or_else(|| scene.title().into());
+        let path = std::path::absolute(&path).unwrap_or(path);
         let mut place = Self { path: path.display().to_string(), choice: None };
         place.end(ending);
         place

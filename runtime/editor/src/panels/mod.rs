@@ -10,6 +10,8 @@ mod timings;
 #[cfg(test)]
 pub(crate) use timings::resident;
 
+use std::time::Duration;
+
 use chiaro_compiler::syntax::Severity;
 use egui::{RichText, Ui};
 
@@ -29,7 +31,7 @@ pub(crate) struct Panels {
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.add_space(2.0);
     ui.horizontal_wrapped(|ui| {
-        // All of them fit into one line of the panel as it is at first.
+        // All of them fit into one line of the panel as it is at first, even if there are hundreds of messages.
         ui.spacing_mut().item_spacing.x = 1.0;
         ui.spacing_mut().button_padding.x = 6.0;
         for panel in Panel::ALL {
@@ -47,9 +49,10 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     }
 }
 
-/// Keeps up with what happens, whether the panels are shown or not.
-pub(crate) fn follow(editor: &mut Editor) {
+/// Keeps up with what happens, whether the panels are shown or not: the window's last frame took so long.
+pub(crate) fn follow(editor: &mut Editor, frame: Option<Duration>) {
     editor.panels.timings.note(editor.viewport.timings);
+    frame.into_iter().for_each(|took| editor.panels.timings.note_window(took));
     parameters::follow(editor);
 }
 
@@ -59,7 +62,7 @@ fn name(editor: &Editor, ui: &Ui, panel: Panel) -> RichText {
     let (count, severity) = if errors > 0 { (errors, Severity::Error) } else { (warnings, Severity::Warning) };
     match panel {
         Panel::Messages if count > 0 => {
-            RichText::new(format!("{} ({count})", panel.name())).color(messages::color(ui.visuals(), severity))
+            RichText::new(format!("{} {count}", panel.name())).color(messages::color(ui.visuals(), severity))
         }
         _ => RichText::new(panel.name()),
     }

@@ -77,7 +77,7 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     });
     if saves {
         let language = editor.panels.shader.language;
-        editor.dialogs.open_export(Export::of_shader(editor, language));
+        editor.dialogs.open(Export::of_shader(editor, language));
     }
 }
 

@@ -13,6 +13,8 @@ use crate::studio::Timings;
 const REMEMBERED: usize = 60;
 /// The height of the plot, in points.
 const PLOT_HEIGHT: f32 = 90.0;
+/// So many frames of the window are remembered.
+const FRAMES: usize = 500;
 /// The memory is looked at this often.
 const MEMORY_EVERY: Duration = Duration::from_secs(1);
 
@@ -20,6 +22,8 @@ const MEMORY_EVERY: Duration = Duration::from_secs(1);
 #[derive(Default)]
 pub(crate) struct History {
     timings: VecDeque<Timings>,
+    /// What the window's last frames took: the longer of them are when it doesn't answer.
+    window: VecDeque<Duration>,
     memory: Option<(Instant, Option<u64>)>,
 }
 
@@ -36,6 +40,14 @@ impl History {
         while self.timings.len() > REMEMBERED {
             self.timings.pop_front();
         }
+    }
+
+    /// Remembers what a frame of the window took.
+    pub(crate) fn note_window(&mut self, took: Duration) {
+        if self.window.len() == FRAMES {
+            self.window.pop_front();
+        }
+        self.window.push_back(took);
     }
 
     /// The bytes of memory that the process has, where the system says.
@@ -60,13 +72,15 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     let history = &mut editor.panels.timings;
     stages(ui, &timings);
     ui.add_space(10.0);
-    let times: Vec<f32> = history.timings.iter().map(|timings| timings.to_frame.as_secs_f32() * 1e3).collect();
+    let in_milliseconds = |time: Duration| time.as_secs_f32() * 1e3;
+    let times: Vec<f32> = history.timings.iter().map(|timings| in_milliseconds(timings.to_frame)).collect();
     ui.strong(format!("Key to frame, the last {}", times.len()));
     plot(ui, &times);
     if let Some([median, slow]) = quantiles(&times) {
         ui.label(format!("median {median:.0} ms, 95 of 100 below {slow:.0} ms"));
     }
     ui.add_space(10.0);
+    let window: Vec<f32> = history.window.iter().copied().map(in_milliseconds).collect();
     Grid::new("facts").num_columns(2).spacing([16.0, 4.0]).show(ui, |ui| {
         if !timings.sample.is_zero() {
             row(ui, "Samples a second", &format!("{:.1}", 1.0 / timings.sample.as_secs_f64()));
@@ -75,6 +89,10 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
         if let Some(shown) = &editor.session.shown {
             row(ui, "Nodes of the field", &shown.scene.graph.nodes.len().to_string());
             row(ui, "Live numbers", &shown.scene.graph.slots.len().to_string());
+        }
+        if let Some([median, _]) = quantiles(&window) {
+            let longest = window.iter().copied().fold(0.0, f32::max);
+            row(ui, "Window", &format!("{median:.0} ms, at most {longest:.0} ms"));
         }
         if let Some(bytes) = history.memory() {
             row(ui, "Memory", &format!("{:.0} MiB", bytes as f64 / f64::from(1 << 20)));
@@ -107,7 +125,8 @@ fn stages(ui: &mut Ui, timings: &Timings) {
 
 fn row(ui: &mut Ui, name: &str, value: &str) {
     ui.label(name);
-    ui.add(egui::Label::new(egui::RichText::new(value).monospace()).truncate()).on_hover_text(value);
+    // (What had to be cut is shown when the pointer rests on it.)
+    ui.add(egui::Label::new(egui::RichText::new(value).monospace()).truncate());
     ui.end_row();
 }
 

@@ -90,7 +90,7 @@ enum Stage {
 
 impl Easel {
     fn is_busy(&self) -> bool {
-        self.stage != Stage::Done && self.subject.is_some()
+        self.stage != Stage::Done && self.subject.is_some() && self.wanted.samples > 0
     }
 
     /// Forgets the subject: the picture before stays in the window until another one comes.
@@ -131,7 +131,7 @@ impl Easel {
     /// Draws for about a tenth of a second. A frame, if there is something new to show. What takes longer is given up when it
     /// need not go on.
     fn work(&mut self, goes_on: &dyn Fn() -> bool) -> Result<Option<Frame>, Error> {
-        if self.subject.is_none() {
+        if !self.is_busy() {
             return Ok(None);
         }
         let drawn = match (self.stage, self.wanted.look) {
@@ -291,9 +291,8 @@ impl Easel {
 /// The view that shows all of a subject.
 fn framed(subject: &Subject, eye: &Eye, parameters: &[f64], size: [u32; 2]) -> Result<View, Error> {
     subject.model.set_parameters(&subject.gpu, parameters)?;
-    let extent = subject.model.extent(&subject.gpu)?;
     let aspect = f64::from(size[0]) / f64::from(size[1]);
-    Ok(View::framing(&eye.camera(&subject.scene.camera), parameters, &extent, aspect))
+    View::framing_model(&subject.gpu, &subject.model, &eye.camera(&subject.scene.camera), aspect)
 }
 
 /// What a frame shows.

@@ -21,6 +21,7 @@ use chiaro_compiler::syntax::{Diagnostic, Sources};
 use chiaro_compiler::{Provenance, Scene};
 use chiaro_render::{Gpu, Legend, Mask, Model, Preference, View};
 
+use crate::worker;
 use slot::Slot;
 pub(crate) use timings::Timings;
 pub(crate) use wanted::{Eye, LiveValue, Look, Outlined, Wanted};
@@ -237,11 +238,7 @@ impl Shared {
 
 /// Runs work of a thread that must go on whatever a scene does to it. A panic becomes its message.
 fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
-    std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).map_err(|panic| {
-        let message = panic.downcast_ref::<String>().map(String::as_str);
-        let message = message.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("for an unknown reason");
-        format!("this is a mistake in Chiaro, not in your scene: {message}")
-    })
+    std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).map_err(|panic| worker::mistake(&*panic))
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {

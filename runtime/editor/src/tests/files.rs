@@ -34,6 +34,8 @@ fn what_other_editors_save_is_drawn() {
     replace(&person.file("main.csg"), "include <size.csg>\ncube(size * 2);\n");
     person.until("reloaded", |editor| reach(editor) == 18.0);
     assert_eq!(person.text(), "include <size.csg>\ncube(size * 2);\n");
+    person.until_linked();
+    person.sees("reloaded");
 }
 
 #[test]
@@ -67,11 +69,7 @@ fn texts_are_saved_and_shaders_exported() {
     person.until_linked();
     person.presses(Modifiers::COMMAND, Key::E);
     person.sees("export");
-    let exports = |person: &mut Person| {
-        person.harness.get_by_role_and_label(egui::Role::Button, "Export").click();
-        person.frames(3);
-    };
-    exports(&mut person);
+    person.clicks_button("Export");
     let mesh = person.file("main.stl");
     person.until("exported", |editor| mesh.exists() && !editor.dialogs.is_busy());
     let triangles = fs::metadata(&mesh).unwrap().len() - 84;
@@ -79,18 +77,18 @@ fn texts_are_saved_and_shaders_exported() {
     // What is there is not written over without a word.
     fs::write(&mesh, "somebody's work").unwrap();
     person.frames(3);
-    exports(&mut person);
+    person.clicks_button("Export");
     person.harness.get_by_label_contains("Replace main.stl?").rect();
     person.clicks_on("Cancel");
     assert_eq!(fs::read(&mesh).unwrap(), b"somebody's work");
-    exports(&mut person);
+    person.clicks_button("Export");
     person.clicks_on("Replace");
     person.until("exported", |editor| fs::metadata(&mesh).unwrap().len() > 84 && !editor.dialogs.is_busy());
     person.frames(3);
     person.harness.get_by_role_and_label(egui::Role::ComboBox, "Format").click();
     person.frames(3);
     person.clicks_on("GLSL 330 functions");
-    exports(&mut person);
+    person.clicks_button("Export");
     let shader = person.file("main.glsl");
     person.until("exported", |_| shader.exists());
     assert!(fs::read_to_string(&shader).unwrap().contains("float scene_distance(vec3 p)"));
@@ -118,9 +116,16 @@ fn other_files_are_not_overwritten_without_asking() {
 fn what_is_opened_beside_another_text_is_drawn() {
     let mut person = Person::with_files(&[("main.csg", "cube(4);\n"), ("other.csg", "cube(9);\n")]);
     person.until_drawn();
+    let before = person.editor().viewport.drawn.unwrap().distance;
     let other = person.file("other.csg");
     person.editor_mut().open(&other);
     person.until("drawn", |editor| reach(editor) == 9.0);
+    person.until_drawn();
+    let now = person.editor().viewport.drawn.unwrap().distance;
+    assert!(
+        (now / before - 9.0 / 4.0).abs() < 0.1,
+        "it is not framed anew: seen from {now} mm, the one before from {before}"
+    );
     assert_eq!(person.editor().session.active().title(), "other.csg");
     // Closing a text before the one that is edited keeps that.
     person.editor_mut().session.close(0);

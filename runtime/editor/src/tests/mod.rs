@@ -1,5 +1,6 @@
 //! The editor as a person uses it: the whole window without a screen, drawn by a software adapter.
 
+mod dialogs;
 mod figures;
 mod files;
 mod panels;

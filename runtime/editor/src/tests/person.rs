@@ -134,6 +134,23 @@ impl Person {
         }
     }
 
+    /// Does several things so fast that the window sees all of them in one frame.
+    pub(super) fn at_once(&mut self, events: impl IntoIterator<Item = Event>) {
+        self.harness.input_mut().events.extend(events);
+        self.frames(1);
+    }
+
+    /// Sets the fields for a number that have this name, one after the other.
+    pub(super) fn sets(&mut self, label: &str, values: &[f64]) {
+        for (index, value) in values.iter().enumerate() {
+            let fields: Vec<_> = self.harness.get_all_by_role_and_label(Role::SpinButton, label).collect();
+            assert_eq!(fields.len(), values.len(), "{label}");
+            fields[index].set_value_accesskit(*value);
+            drop(fields);
+            self.frames(1);
+        }
+    }
+
     pub(super) fn presses(&mut self, modifiers: Modifiers, key: Key) {
         self.harness.key_press_modifiers(modifiers, key);
         self.frames(2);
@@ -176,6 +193,13 @@ impl Person {
     #[track_caller]
     pub(super) fn clicks_on(&mut self, label: &str) {
         self.harness.get_by_label(label).click();
+        self.frames(3);
+    }
+
+    /// Clicks a button that has this name.
+    #[track_caller]
+    pub(super) fn clicks_button(&mut self, label: &str) {
+        self.harness.get_by_role_and_label(Role::Button, label).click();
         self.frames(3);
     }
 

@@ -41,6 +41,35 @@ fn a_caret_in_an_expression_outlines_its_surface() {
 }
 
 #[test]
+fn handles_edit_the_numbers_behind_a_solid() {
+    let mut person = Person::with(SCENE);
+    person.until_linked();
+    person.goes_to("sphere");
+    person.until("outlined", |editor| editor.viewport.is_outlined());
+    let (from, to) = (seen(&person, [20.0, 0.0, 0.0]), seen(&person, [23.0, 0.0, 0.0]));
+    person.drags(from, to - from, Modifiers::NONE);
+    assert!(person.text().ends_with("sphere(11);\n"), "{}", person.text());
+}
+
+#[test]
+fn where_there_is_no_number_to_drag_a_handle_says_why() {
+    let text = "r = 3;\nfor (x = [0 : 1]) translate([20 * x, 0, 0]) sphere(r * 2);\nrotate_extrude() translate([40, 0]) circle(4);\n";
+    let mut person = Person::with(text);
+    person.until_linked();
+    person.goes_to("sphere");
+    person.frames(2);
+    let handles = person.editor().viewport.handles(person.editor());
+    let expected = [("r", "computed from `r`", [6.0, 0.0, 0.0]), ("x", "computed from `x`", [0.0, 0.0, 0.0])];
+    for (label, reason, at) in expected {
+        assert!(handles.contains(&(label.to_owned(), Err(reason.to_owned()), at)), "{handles:?}");
+    }
+    assert!(handles.contains(&("z".to_owned(), Ok(0.0), [0.0; 3])), "{handles:?}");
+    person.goes_to("circle");
+    person.frames(2);
+    person.harness.get_by_label_contains("`rotate_extrude` bends the lines").rect();
+}
+
+#[test]
 fn an_edit_beside_the_field_keeps_the_picture() {
     let mut person = Person::with(SCENE);
     person.until_linked();
@@ -77,8 +106,7 @@ fn a_screenshot_shows_what_the_window_does() {
     person.until_drawn();
     person.presses(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
     person.frames(2);
-    person.harness.get_by_role_and_label(egui::Role::Button, "Export").click();
-    person.frames(3);
+    person.clicks_button("Export");
     let file = person.file("main.png");
     person.until("exported", |_| file.exists());
     let picture = image::open(&file).unwrap().to_rgb8();

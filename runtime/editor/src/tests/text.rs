@@ -69,7 +69,8 @@ fn numbers_are_dragged_and_the_drag_is_undone_at_once() {
     let at = person.place(person.text().find("20").unwrap() + 1);
     person.drags(at, vec2(24.0, 0.0), Modifiers::COMMAND);
     assert_eq!(person.text(), "translate([5, 0, 0]) sphere(26);\n");
-    person.until_drawn();
+    person.until_linked();
+    person.sees("scrubbing");
     let now = person.editor().session.outcome.as_ref().unwrap().revision;
     assert!(
         now <= revision + 2,
@@ -79,24 +80,41 @@ fn numbers_are_dragged_and_the_drag_is_undone_at_once() {
     assert_eq!(person.text(), "translate([5, 0, 0]) sphere(20);\n");
 }
 
+/// What a keyboard tells when a key is pressed and released.
+fn stroke(key: Key, modifiers: Modifiers, text: Option<&str>) -> Vec<Event> {
+    let key = |pressed| Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
+    let letter = text.map(|text| Event::Text(text.to_owned()));
+    [Some(key(true)), letter, Some(key(false))].into_iter().flatten().collect()
+}
+
+#[test]
+fn what_is_typed_while_the_window_is_slow_is_there_at_once() {
+    let mut person = Person::with("\n");
+    person.goes_to("\n");
+    let letters = |text: &'static str| {
+        text.split_inclusive(|_: char| true).flat_map(|letter| stroke(Key::A, Modifiers::NONE, Some(letter)))
+    };
+    person.at_once(letters("cube(3);sphere("));
+    assert_eq!(person.text(), "cube(3);sphere()\n");
+    // What was typed before a short cut belongs before it, even if both are seen together.
+    person.at_once(letters("2)").chain(stroke(Key::Q, Modifiers::COMMAND, None)));
+    assert_eq!(person.text(), "cube(3);sphere(2)\n");
+    person.frames(2);
+    person.harness.get_by_label_contains("Save the changes").rect();
+}
+
 #[test]
 fn a_number_is_dragged_even_if_all_of_it_is_seen_in_one_frame() {
     let mut person = Person::with("sphere(20);\ncube(3);\n");
     let at = person.place(person.text().find("20").unwrap() + 1);
     let modifiers = Modifiers::COMMAND;
     let button = |pos, pressed| Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers };
-    person.harness.event(Event::ModifiersChanged(modifiers));
-    person.frames(1);
-    for event in [Event::PointerMoved(at), button(at, true), Event::PointerMoved(at + vec2(40.0, 0.0))] {
-        person.harness.event(event);
-    }
-    person.frames(1);
+    person.at_once([Event::ModifiersChanged(modifiers)]);
+    person.at_once([Event::PointerMoved(at), button(at, true), Event::PointerMoved(at + vec2(40.0, 0.0))]);
     assert_eq!(person.text(), "sphere(30);\ncube(3);\n");
-    for event in [Event::PointerMoved(at + vec2(-8.0, 30.0)), button(at + vec2(-8.0, 30.0), false)] {
-        person.harness.event(event);
-    }
-    person.harness.event(Event::ModifiersChanged(Modifiers::NONE));
-    person.frames(3);
+    let end = at + vec2(-8.0, 30.0);
+    person.at_once([Event::PointerMoved(end), button(end, false), Event::ModifiersChanged(Modifiers::NONE)]);
+    person.frames(2);
     assert_eq!(person.text(), "sphere(18);\ncube(3);\n");
     let document = person.editor().session.active();
     assert_eq!((document.anchor, document.caret), (9, 9), "the drag selected something");

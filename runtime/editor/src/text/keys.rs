@@ -55,6 +55,22 @@ const IN_TEXT: &[(Modifiers, Key, Command)] = &[
     (ALT, Key::Enter, Command::QuickFix),
 ];
 
+/// Keys that mean something to text fields by themselves.
+const EDITING: [Key; 12] = [
+    Key::ArrowLeft,
+    Key::ArrowRight,
+    Key::ArrowUp,
+    Key::ArrowDown,
+    Key::Home,
+    Key::End,
+    Key::PageUp,
+    Key::PageDown,
+    Key::Backspace,
+    Key::Delete,
+    Key::Enter,
+    Key::Escape,
+];
+
 /// Where the keyboard's focus is.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Focus {
@@ -119,9 +135,15 @@ fn taken(event: &Event, focus: Focus) -> Option<Pressed> {
     }
 }
 
-/// Whether the text field does something about it that is not ours.
+/// Whether the text field does something about it that is not ours. A letter's key does nothing: the letter comes behind it.
 fn is_for_field(event: &Event) -> bool {
-    matches!(event, Event::Key { pressed: true, .. } | Event::Paste(_) | Event::Cut | Event::Ime(_))
+    match event {
+        Event::Key { key, pressed: true, modifiers, .. } => {
+            modifiers.ctrl || modifiers.command || modifiers.alt || EDITING.contains(key)
+        }
+        Event::Paste(_) | Event::Cut | Event::Ime(_) => true,
+        _ => false,
+    }
 }
 
 fn meant(key: Key, modifiers: Modifiers, focus: Focus) -> Option<Command> {

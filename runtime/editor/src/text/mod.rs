@@ -60,6 +60,13 @@ pub(crate) struct TextPanel {
     pub(crate) wants_focus: bool,
 }
 
+impl TextPanel {
+    /// Whether something that was typed has yet to be written into the text.
+    pub(crate) fn is_behind(&self) -> bool {
+        !self.aside.is_empty()
+    }
+}
+
 /// Shows the open texts.
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.y = 2.0;

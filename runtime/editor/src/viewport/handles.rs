@@ -54,6 +54,11 @@ pub(super) struct Drag {
     value: f64,
 }
 
+/// Why the selection has no handles, if something is in their way.
+pub(super) fn obstacle(editor: &Editor) -> Option<String> {
+    found::handles(editor).err()
+}
+
 /// Lets the pointer move handles. True if it is busy with one.
 pub(super) fn drag(editor: &mut Editor, ui: &Ui, response: &Response) -> bool {
     let Some(view) = editor.viewport.drawn else { return false };
@@ -92,7 +97,8 @@ fn taken(editor: &Editor, view: View, rect: Rect, pointer: Pos2) -> Option<Drag>
 
 fn handle_at(editor: &Editor, view: View, rect: Rect, pointer: Pos2) -> Option<Handle> {
     let near = |handle: &Handle| grip(view, rect, handle.at, handle).map(|(at, _)| at.distance(pointer));
-    let reached = found::handles(editor).into_iter().filter_map(|handle| Some((near(&handle)?, handle)));
+    let handles = found::handles(editor).unwrap_or_default();
+    let reached = handles.into_iter().filter_map(|handle| Some((near(&handle)?, handle)));
     let nearest = reached.filter(|(distance, _)| *distance <= REACH).min_by(|(a, _), (b, _)| a.total_cmp(b));
     nearest.map(|(_, handle)| handle)
 }
@@ -179,7 +185,7 @@ pub(super) fn paint(editor: &Editor, ui: &Ui, painter: &Painter) {
     }
     let pointer = ui.input(|input| input.pointer.hover_pos());
     let hovered = pointer.and_then(|pointer| handle_at(editor, view, rect, pointer));
-    for handle in found::handles(editor) {
+    for handle in found::handles(editor).unwrap_or_default() {
         let text = match (&hovered, &handle.number) {
             (Some(hovered), Ok(number)) if *hovered == handle => {
                 format!("{} = {}", handle.label, written(number.value))
@@ -205,6 +211,12 @@ fn paint_one(painter: &Painter, view: View, rect: Rect, at: [f64; 3], handle: &H
         painter.rect_filled(label.expand(4.0), 4.0, Color32::from_black_alpha(170));
         painter.galley(pos2(label.left(), label.top()), galley, Color32::WHITE);
     }
+}
+
+#[cfg(test)]
+pub(super) fn described(editor: &Editor) -> Vec<(String, Result<f64, String>, [f64; 3])> {
+    let described = |handle: Handle| (handle.label, handle.number.map(|number| number.value), handle.at);
+    found::handles(editor).unwrap_or_default().into_iter().map(described).collect()
 }
 
 #[cfg(test)]

@@ -12,9 +12,11 @@ mod wipe;
 pub(crate) use overlay::{frame_selection, looks, views};
 pub(crate) use selection::Selection;
 
+use std::time::Duration;
+
 use chiaro_compiler::Scene;
 use chiaro_compiler::shader::Shadows;
-use chiaro_render::{Direct, View};
+use chiaro_render::{Direct, Plane, View};
 use egui::{Align2, Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, Vec2, pos2};
 
 use crate::app::Editor;
@@ -24,6 +26,10 @@ use crate::studio::{Eye, Frame, Look, Outlined, Timings, Wanted};
 
 /// The largest picture, in pixels: more would only be slow.
 const MOST_PIXELS: f32 = 2.0e6;
+/// So long the picture of one text may stand for that of another.
+const SOON: Duration = Duration::from_millis(300);
+/// How much of it is seen from then on.
+const VEIL: f32 = 0.8;
 /// The part of a picture that a texture shows: all of it.
 const WHOLE: Rect = Rect { min: pos2(0.0, 0.0), max: pos2(1.0, 1.0) };
 
@@ -38,13 +44,15 @@ pub(crate) struct Viewport {
     /// Which text the view is of.
     document: Option<DocumentId>,
     pub(crate) eye: Eye,
-    /// From where the picture in the window is seen.
+    /// From where the picture in the window is seen; none, if it is that of another text.
     pub(crate) drawn: Option<View>,
     pub(crate) samples: u32,
     pub(crate) timings: Timings,
     /// Where the picture is in the window.
     rect: Option<Rect>,
     pub(crate) look: Look,
+    /// The plane of the last section.
+    plane: Option<Plane>,
     pub(crate) direct: Direct,
     /// The method on the other side of the divider, and where that is as a part of the width.
     pub(crate) compared: Option<(Direct, f32)>,
@@ -75,6 +83,7 @@ impl Default for Viewport {
             timings: Timings::default(),
             rect: None,
             look: Look::Lit,
+            plane: None,
             direct: Direct::By(Shadows::Verified),
             compared: None,
             floor: true,
@@ -147,12 +156,12 @@ fn put(texture: &mut Option<TextureHandle>, ui: &Ui, name: &str, image: ColorIma
 /// Shows the picture and lets the user move it.
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     begin_with_new_text(editor);
-    if let Some(frame) = editor.session.frame.take() {
+    // (One of the text that was drawn before may come yet.)
+    if let Some(frame) = editor.session.frame.take().filter(|frame| editor.session.is_of_scene(frame)) {
         // What begins empty is framed when there is something.
         let is_open =
             editor.viewport.eye == Eye::Scene && (has_camera(&frame.scene) || frame.scene.dimension().is_none());
-        let keeps_view = !is_open;
-        editor.viewport.take(ui, *frame, keeps_view);
+        editor.viewport.take(ui, *frame, !is_open);
     }
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     editor.viewport.rect = Some(rect);
@@ -167,13 +176,14 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     overlay::show(editor, ui, rect);
 }
 
-/// Another text is looked at anew.
+/// Another text is looked at anew. The picture of the one before stays until there is one.
 fn begin_with_new_text(editor: &mut Editor) {
-    let drawn = editor.session.scene_document().id;
-    if editor.viewport.document != Some(drawn) {
-        editor.viewport.document = Some(drawn);
-        editor.viewport.eye = Eye::Scene;
-        editor.viewport.selection = None;
+    let (document, viewport) = (editor.session.scene_document().id, &mut editor.viewport);
+    if viewport.document != Some(document) {
+        viewport.document = Some(document);
+        viewport.eye = Eye::Scene;
+        (viewport.drawn, viewport.selection, viewport.plane, viewport.legend) = (None, None, None, None);
+        (viewport.other, viewport.outline) = (None, None);
     }
 }
 
@@ -198,7 +208,8 @@ fn want(editor: &mut Editor, ui: &Ui, size: Vec2) {
         other: viewport.compared.map(|(direct, _)| direct).filter(|_| viewport.look == Look::Lit),
         floor: viewport.floor,
         exposure: viewport.exposure,
-        samples: editor.settings.samples,
+        // While there is no scene nothing need be drawn, though the one of another text may be there still.
+        samples: if editor.session.shown.is_some() { editor.settings.samples } else { 0 },
         moving: viewport.is_moving || viewport.handle.is_some() || editor.clock.is_running(),
         outlined: viewport.selection.as_ref().map(Selection::outlined),
     };
@@ -210,24 +221,16 @@ fn paint(editor: &Editor, ui: &Ui, rect: Rect) {
     painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
     // A scene with errors that never showed has no picture, whatever was drawn before.
     let has_picture = editor.session.shown.is_some() || !editor.session.has_errors();
-    match viewport.texture.as_ref().filter(|_| has_picture) {
-        Some(texture) => {
-            painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
+    let Some(texture) = viewport.texture.as_ref().filter(|_| has_picture) else {
+        return tell(ui, &painter, rect, nothing_yet(editor, ui));
+    };
+    painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
+    if viewport.drawn.is_none() {
+        // What is seen is another text's: that has to be told as soon as somebody could wonder.
+        if editor.session.waits_since().is_some_and(|since| since > SOON) {
+            painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color.gamma_multiply(VEIL));
+            tell(ui, &painter, rect, nothing_yet(editor, ui));
         }
-        None => {
-            let why = match &editor.session.trouble {
-                Some(trouble) => trouble.clone(),
-                None if editor.session.has_errors() => {
-                    "There is nothing to draw before the errors are mended.".to_owned()
-                }
-                None => status::under_way(editor, ui).unwrap_or_else(|| "drawing…".to_owned()),
-            };
-            let font = egui::TextStyle::Body.resolve(ui.style());
-            let galley = painter.layout(why, font, ui.visuals().weak_text_color(), (rect.width() - 48.0).max(0.0));
-            painter.galley(Align2::CENTER_CENTER.anchor_size(rect.center(), galley.size()).min, galley, Color32::WHITE);
-        }
-    }
-    if !has_picture {
         return;
     }
     if let (Some(other), Some((_, part))) = (&viewport.other, viewport.compared) {
@@ -239,6 +242,22 @@ fn paint(editor: &Editor, ui: &Ui, rect: Rect) {
     handles::paint(editor, ui, &painter);
 }
 
+/// Why there is no picture of the scene.
+fn nothing_yet(editor: &Editor, ui: &Ui) -> String {
+    match &editor.session.trouble {
+        Some(trouble) => trouble.clone(),
+        None if editor.session.has_errors() => "There is nothing to draw before the errors are mended.".to_owned(),
+        None => status::under_way(editor, ui).unwrap_or_else(|| "drawing…".to_owned()),
+    }
+}
+
+/// Writes something into the middle of the picture.
+fn tell(ui: &Ui, painter: &egui::Painter, rect: Rect, what: String) {
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let galley = painter.layout(what, font, ui.visuals().weak_text_color(), (rect.width() - 48.0).max(0.0));
+    painter.galley(Align2::CENTER_CENTER.anchor_size(rect.center(), galley.size()).min, galley, Color32::WHITE);
+}
+
 #[cfg(test)]
 impl Viewport {
     /// Where a point of the scene is seen in the window.
@@ -246,5 +265,10 @@ impl Viewport {
         let rect = self.rect?;
         let ([x, y], _) = self.drawn?.project(point, [rect.width() as u32, rect.height() as u32])?;
         Some(rect.min + egui::vec2(x as f32, y as f32))
+    }
+
+    /// The selection's handles: name, number or why there is none, and place.
+    pub(crate) fn handles(&self, editor: &Editor) -> Vec<(String, Result<f64, String>, [f64; 3])> {
+        handles::described(editor)
     }
 }

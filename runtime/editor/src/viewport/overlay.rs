@@ -4,7 +4,7 @@ use chiaro_compiler::shader::Shadows;
 use chiaro_render::{Direct, Inspection, Plane};
 use egui::{Align2, Area, ComboBox, Frame, Id, Rect, Slider, Ui, vec2};
 
-use super::{legend, navigation};
+use super::{handles, legend, navigation};
 use crate::app::Editor;
 use crate::studio::{Eye, Look};
 use crate::theme::sign;
@@ -112,7 +112,8 @@ fn look_menu(editor: &mut Editor, ui: &mut Ui) {
 
 /// The choices of what to show.
 pub(crate) fn looks(editor: &mut Editor, ui: &mut Ui) {
-    let plane = Plane { normal: [0.0, 1.0, 0.0], offset: editor.viewport.drawn.map_or(0.0, |view| view.target[1]) };
+    let offset = editor.viewport.drawn.map_or(0.0, |view| view.target[1]);
+    let plane = editor.viewport.plane.unwrap_or(Plane { normal: [0.0, 1.0, 0.0], offset });
     let looks = [
         Look::Lit,
         Look::Inspected(Inspection::Normals),
@@ -167,6 +168,7 @@ fn section_controls(editor: &mut Editor, ui: &mut Ui) {
         let range = finite(bounds.min[axis], -100.0)..=finite(bounds.max[axis], 100.0);
         ui.add(Slider::new(&mut plane.offset, range).text("mm"));
     });
+    editor.viewport.plane = Some(*plane);
 }
 
 fn light_menu(editor: &mut Editor, ui: &mut Ui) {
@@ -220,6 +222,9 @@ fn selection_chain(editor: &mut Editor, ui: &mut Ui) {
             ui.weak(format!("{} times", selection.solids.len()));
         }
     });
+    if let Some(obstacle) = handles::obstacle(editor) {
+        ui.weak(format!("no handles here: {obstacle}"));
+    }
     if let Some(index) = chosen {
         editor.select(selection.chain, index);
     }

@@ -11,7 +11,7 @@ const SLOPES: [[u8; 3]; 5] = [[33, 62, 155], [122, 164, 214], [242, 242, 238], [
 /// For distances that are exact, exact outside, and bounds.
 const CLASSES: [([u8; 3], &str); 3] =
     [([60, 160, 90], "exact"), ([70, 130, 200], "exact outside"), ([225, 140, 45], "a bound")];
-/// What all of those fade to where distances are too long, with each doubling.
+/// What all of those fade to where the field is steep, with each doubling.
 const STEEP: [u8; 3] = [200, 30, 160];
 /// The share of evaluations beyond which they all have the last colour, so that a few pixels don't darken all others.
 const MOST_OF_THEM: f64 = 0.995;
@@ -96,7 +96,7 @@ pub(super) fn classes(size: [u32; 2], classes: &[[f32; 4]], positions: &[[f32; 4
     };
     let mut marks: Vec<Mark> = CLASSES.iter().map(|(color, label)| Mark::of_words(*color, label)).collect();
     if steepest > 1.001 {
-        let label = format!("up to {steepest:.3} times too long");
+        let label = format!("steep: L up to {steepest:.3}");
         let steep = mixed(CLASSES[2].0.map(f64::from), STEEP.map(f64::from), steepness(f64::from(steepest)));
         marks.push(Mark::of_words(bytes(steep), &label));
     }

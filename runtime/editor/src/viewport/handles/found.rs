@@ -1,29 +1,44 @@
 //! Which handles the selected solid has.
 
 use chiaro_assist::{CallArgument, Literal, literals_of_call};
-use chiaro_compiler::{Matrix, Origin};
+use chiaro_compiler::solid::SolidKind;
+use chiaro_compiler::vocabulary::Bounds;
+use chiaro_compiler::{Matrix, Origin, SolidId};
 
 use super::{Handle, Number};
 use crate::app::Editor;
 use crate::document::Document;
+use crate::viewport::Selection;
 
 /// How many of the expressions around a solid offer handles: the nearest.
 const MOST_CALLS: usize = 3;
+const AXES: [&str; 3] = ["x", "y", "z"];
 /// How far before a place the handles that move it are drawn, in points.
 const MOVE_AHEAD: f32 = 28.0;
 
-/// The handles of the selection's expression and of the nearest moves around it.
-pub(super) fn handles(editor: &Editor) -> Vec<Handle> {
-    let (Some(selection), Some(shown)) = (&editor.viewport.selection, &editor.session.shown) else { return Vec::new() };
+/// The handles of the selection's expression and of the nearest moves around it; or why there are none.
+pub(super) fn handles(editor: &Editor) -> Result<Vec<Handle>, String> {
+    let (Some(selection), Some(shown)) = (&editor.viewport.selection, &editor.session.shown) else {
+        return Ok(Vec::new());
+    };
     let parameters = editor.session.parameters();
-    let mut handles = Vec::new();
+    let (mut handles, mut obstacle) = (Vec::new(), None);
     for origin in selection.chain.iter().skip(selection.at).take(MOST_CALLS) {
         let name = &shown.sources.get(origin.span.file).name;
-        let Some(document) = editor.session.documents().iter().find(|open| open.name() == *name) else { continue };
+        let Some(document) = editor.session.documents().iter().find(|open| open.name() == *name) else {
+            obstacle.get_or_insert_with(|| format!("{name} is not open"));
+            continue;
+        };
+        // (What is being typed need not be a call yet.)
         let Some(arguments) = literals_of_call(&document.text, origin.span.range()) else { continue };
-        // Where something above bends the solid, its numbers have no straight lines to move along.
-        let Ok(matrix) = selection.provenance.placement(origin.solid, &parameters) else { continue };
-        let call = Call { document, arguments, matrix };
+        let matrix = match selection.provenance.placement(origin.solid, &parameters) {
+            Ok(matrix) => matrix,
+            Err(bent) => {
+                obstacle.get_or_insert_with(|| format!("`{}` bends the lines along which they would move", bent.what));
+                continue;
+            }
+        };
+        let call = Call { document, arguments, matrix, selection, solid: origin.solid, parameters: &parameters };
         let own = call.handles(origin);
         let is_shape = !own.is_empty();
         handles.extend(own);
@@ -31,7 +46,10 @@ pub(super) fn handles(editor: &Editor) -> Vec<Handle> {
             break;
         }
     }
-    handles
+    match obstacle {
+        Some(obstacle) if handles.is_empty() => Err(obstacle),
+        _ => Ok(handles),
+    }
 }
 
 /// An instance of a module, with what its numbers mean in the world.
@@ -39,88 +57,89 @@ struct Call<'a> {
     document: &'a Document,
     arguments: Vec<CallArgument>,
     matrix: Matrix,
+    selection: &'a Selection,
+    solid: SolidId,
+    parameters: &'a [f64],
 }
 
 impl Call<'_> {
     fn handles(&self, origin: &Origin) -> Vec<Handle> {
         match origin.what.as_str() {
             "translate" => self.moves(),
-            "sphere" | "circle" => self.radius([0.0; 3]),
+            "sphere" | "circle" => self.radius(0.0).into_iter().collect(),
             "cylinder" => {
-                let height = self.value("h").unwrap_or(1.0);
-                let (low, high) = if self.is_centred() { (-0.5 * height, 0.5 * height) } else { (0.0, height) };
-                let mut handles = self.radius([0.0, 0.0, 0.5 * (low + high)]);
-                let share = if self.is_centred() { 0.5 } else { 1.0 };
-                handles.extend(self.handle("h", &self.literal("h"), [0.0, 0.0, high], [0.0, 0.0, share]));
-                handles
+                let middle = if self.is_centred() { 0.0 } else { 0.5 * self.height("h") };
+                self.radius(middle).into_iter().chain(self.top("h")).collect()
             }
-            "cube" | "square" => self.size(if origin.what == "cube" { 3 } else { 2 }),
-            "linear_extrude" => {
-                let height = self.value("height").unwrap_or(1.0);
-                let share = if self.is_centred() { 0.5 } else { 1.0 };
-                let top = [0.0, 0.0, share * height];
-                self.handle("height", &self.literal("height"), top, [0.0, 0.0, share]).into_iter().collect()
-            }
+            "cube" => self.size(3),
+            "square" => self.size(2),
+            "linear_extrude" => self.top("height").into_iter().collect(),
             _ => Vec::new(),
         }
     }
 
-    /// `translate([x, y, z])`: one along each axis.
+    /// `translate([x, y, z])`: one along each axis; of a computed vector, one that says so.
     fn moves(&self) -> Vec<Handle> {
-        let Some(Literal::List(numbers)) = self.literal("v") else {
-            let along = [1.0, 0.0, 0.0];
-            return self.handle("v", &self.literal("v"), [0.0; 3], along).into_iter().collect();
-        };
-        let value = |axis: usize| numbers.get(axis).and_then(number).unwrap_or(0.0);
-        let at = [value(0), value(1), value(2)];
-        let axis = |axis: usize| {
-            let mut along = [0.0; 3];
-            along[axis] = 1.0;
-            let handle = self.handle(["x", "y", "z"][axis], &numbers.get(axis).cloned(), at, along)?;
-            Some(Handle { ahead: MOVE_AHEAD, ..handle })
-        };
-        (0..numbers.len().min(3)).filter_map(axis).collect()
+        let made = self.shift();
+        match self.literal("v") {
+            Some(Literal::List(numbers)) => {
+                let at = [0, 1, 2].map(|axis| numbers.get(axis).and_then(number).unwrap_or(made[axis]));
+                let along = |axis: usize| {
+                    let handle = self.handle(AXES[axis], &numbers[axis], at, unit(axis, 1.0))?;
+                    Some(Handle { ahead: MOVE_AHEAD, ..handle })
+                };
+                (0..numbers.len().min(3)).filter_map(along).collect()
+            }
+            Some(literal) => self.handle("v", &literal, made, unit(0, 1.0)).into_iter().collect(),
+            None => Vec::new(),
+        }
     }
 
-    /// A radius or a diameter, along x from a centre.
-    fn radius(&self, centre: [f64; 3]) -> Vec<Handle> {
+    /// A radius or a diameter, along x from the axis.
+    fn radius(&self, height: f64) -> Option<Handle> {
         let names = ["r", "r1", "d", "d1"];
-        let named = names.into_iter().find_map(|name| Some((name, self.literal(name)?)));
-        let Some((name, literal)) = named else { return Vec::new() };
+        let (name, literal) = names.into_iter().find_map(|name| Some((name, self.literal(name)?)))?;
         let share = if name.starts_with('d') { 0.5 } else { 1.0 };
-        let radius = share * number(&literal).unwrap_or(1.0);
-        let at = [centre[0] + radius, centre[1], centre[2]];
-        self.handle(name, &Some(literal), at, [share, 0.0, 0.0]).into_iter().collect()
+        let radius = number(&literal).map_or_else(|| self.bounds().max[0], |number| share * number);
+        self.handle(name, &literal, [radius, 0.0, height], unit(0, share))
+    }
+
+    /// The height of what stands on the plane z = 0, or is centred on it: at its top.
+    fn top(&self, name: &str) -> Option<Handle> {
+        let share = self.share();
+        self.handle(name, &self.literal(name)?, [0.0, 0.0, share * self.height(name)], unit(2, share))
+    }
+
+    fn height(&self, name: &str) -> f64 {
+        self.literal(name).as_ref().and_then(number).unwrap_or_else(|| self.bounds().size()[2])
     }
 
     /// The size of a box: one at the middle of each face ahead.
     fn size(&self, axes: usize) -> Vec<Handle> {
-        let literal = self.literal("size");
-        let share = if self.is_centred() { 0.5 } else { 1.0 };
-        let middle = |edge: f64| if self.is_centred() { 0.0 } else { 0.5 * edge };
+        let Some(literal) = self.literal("size") else { return Vec::new() };
+        let (share, made) = (self.share(), self.bounds().size());
+        let edges: [f64; 3] = match &literal {
+            Literal::List(numbers) => [0, 1, 2].map(|axis| numbers.get(axis).and_then(number).unwrap_or(made[axis])),
+            literal => number(literal).map_or(made, |edge| [edge; 3]),
+        };
+        let middle = [0, 1, 2].map(|axis| if self.is_centred() || axis >= axes { 0.0 } else { 0.5 * edges[axis] });
+        let face = |name: &str, axis: usize, literal: &Literal| {
+            let mut at = middle;
+            at[axis] = share * edges[axis];
+            self.handle(name, literal, at, unit(axis, share))
+        };
         match &literal {
-            Some(Literal::List(numbers)) => {
-                let edges: Vec<f64> = (0..3).map(|axis| numbers.get(axis).and_then(number).unwrap_or(0.0)).collect();
-                let face = |axis: usize| {
-                    let mut at = [middle(edges[0]), middle(edges[1]), middle(edges[2])];
-                    let mut along = [0.0; 3];
-                    (at[axis], along[axis]) = (share * edges[axis], share);
-                    self.handle(["x", "y", "z"][axis], &numbers.get(axis).cloned(), at, along)
-                };
-                (0..axes.min(numbers.len())).filter_map(face).collect()
+            Literal::List(numbers) => {
+                let faces = numbers.iter().take(axes).enumerate();
+                faces.filter_map(|(axis, literal)| face(AXES[axis], axis, literal)).collect()
             }
-            _ => {
-                let edge = literal.as_ref().and_then(number).unwrap_or(1.0);
-                let height = if axes == 3 { middle(edge) } else { 0.0 };
-                let at = [share * edge, middle(edge), height];
-                self.handle("size", &literal, at, [share, 0.0, 0.0]).into_iter().collect()
-            }
+            literal => face("size", 0, literal).into_iter().collect(),
         }
     }
 
     /// A handle at a point of the call's own coordinates.
-    fn handle(&self, label: &str, literal: &Option<Literal>, at: [f64; 3], along: [f64; 3]) -> Option<Handle> {
-        let number = match literal.as_ref()? {
+    fn handle(&self, label: &str, literal: &Literal, at: [f64; 3], along: [f64; 3]) -> Option<Handle> {
+        let number = match literal {
             Literal::Number(number) => {
                 Ok(Number { document: self.document.id, range: number.range.clone(), value: number.value })
             }
@@ -139,8 +158,22 @@ impl Call<'_> {
         self.arguments.iter().find(is_it).map(|argument| argument.value.clone())
     }
 
-    fn value(&self, name: &str) -> Option<f64> {
-        number(&self.literal(name)?)
+    /// The box that it came to, which tells what was computed.
+    fn bounds(&self) -> Bounds {
+        self.selection.provenance.local_bounds(self.solid, self.parameters)
+    }
+
+    /// How far it moves what is in it.
+    fn shift(&self) -> [f64; 3] {
+        match &self.selection.provenance.solid(self.solid).kind {
+            SolidKind::Transform(map, _) => map.value(self.parameters).map(|row| row[3]),
+            _ => [0.0; 3],
+        }
+    }
+
+    /// How much of a length is ahead of the origin.
+    fn share(&self) -> f64 {
+        if self.is_centred() { 0.5 } else { 1.0 }
     }
 
     /// Whether the call says `center = true`.
@@ -150,6 +183,13 @@ impl Call<'_> {
             self.document.text.get(argument.range.clone()).is_some_and(|text| text.ends_with("true"))
         })
     }
+}
+
+/// A vector along an axis.
+fn unit(axis: usize, length: f64) -> [f64; 3] {
+    let mut vector = [0.0; 3];
+    vector[axis] = length;
+    vector
 }
 
 fn number(literal: &Literal) -> Option<f64> {
