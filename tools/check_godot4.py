@@ -25,10 +25,11 @@ from compare_pictures import compared
 
 # Starts the engine, and tells when it has drawn for a while.
 PAGE = f"""<!DOCTYPE html>
+<link rel="icon" href="data:,">
 <body style="margin: 0"><canvas id="canvas" style="outline: none" width="{WIDTH}" height="{HEIGHT}"></canvas>
 <script src="index.js"></script>
 <script>
-let frames = 12;
+let frames = 3;
 const wait = () => frames-- ? requestAnimationFrame(wait) : (document.body.dataset.drawn = true);
 new Engine({{ executable: "index", mainPack: "project.pck", canvas, canvasResizePolicy: 0 }})
     .startGame({{ onPrintError: (...said) => console.error(...said) }})

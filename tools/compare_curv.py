@@ -1,12 +1,12 @@
 """Compares what we export with what Curv generates for the same scenes, those of tools/curv, in one harness: WebGL 2 in headless Chromium.
 
 Both distance functions are put into the same shader, Curv's own viewer, which looks for the surface, for its normal and for its ambient
-occlusion; then both whole programs are drawn from the same place, each under its own lights. Told are sizes in bytes, the time
-from the source to the first picture, and the median time of a frame, drawn in turns. As a check that both show the same, the SSIM
-of the pictures with the same shader. Needs what check_pages.py needs, and CURV, Curv's command line (github.com/curv3d/curv; the build
-with LEAN_BUILD will do). Pictures stay in the folder OUT, to look at.
+occlusion; then both whole programs are drawn from the same place, each under its own lights. Told are sizes in bytes, and what the
+process that draws takes of processors' time, as its driver is software: from the source to the first picture, and for a frame, the
+median of turns. As a check that both show the same, the SSIM of the pictures with the same shader. Needs what check_pages.py needs,
+and CURV, Curv's command line (github.com/curv3d/curv; the build with LEAN_BUILD will do). Pictures stay in the folder OUT, to look at.
 
-    CURV=curv python3 tools/compare_curv.py [--size PIXELS] [--frames N] OUT [SCENE.curv...]
+    CURV=curv python3 tools/compare_curv.py [--size PIXELS] [--turns N] OUT [SCENE.curv...]
 """
 
 import argparse
@@ -36,7 +36,6 @@ EYE = (60, -80, 50)
 
 HARNESS = """
 globalThis.programs = {};
-globalThis.seconds = (work) => { const start = performance.now(); work(); return (performance.now() - start) / 1000; };
 globalThis.start = (size) => {
     const canvas = new OffscreenCanvas(size, size);
     globalThis.gl = canvas.getContext("webgl2", { antialias: false });
@@ -90,8 +89,8 @@ def ours(scene, out, *kind):
     return text.read_text()
 
 
-def functions(text):
-    """The bytes of code from one function to the end of another, without comments and empty lines."""
+def code_bytes(text):
+    """How many bytes a text has without comments and empty lines."""
     lines = [line.split("//")[0].rstrip() for line in re.sub(r"/\*.*?\*/", "", text, flags=re.S).splitlines()]
     return sum(len(line.encode()) + 1 for line in lines if line)
 
@@ -127,16 +126,34 @@ def uniforms_of_curv(shader, size):
     }
 
 
-def timed(page, names, frames):
-    """The median seconds of a frame of each, drawn in turns."""
+class Clock:
+    """Seconds that the browser's process for graphics has been running, on all processors."""
+
+    def __init__(self, browser):
+        self.session = browser.new_browser_cdp_session()
+
+    def now(self):
+        processes = self.session.send("SystemInfo.getProcessInfo")["processInfo"]
+        return next(process["cpuTime"] for process in processes if process["type"] == "GPU")
+
+    def seconds(self, work):
+        start = self.now()
+        work()
+        return self.now() - start
+
+
+def frame_times(page, clock, names, turns):
+    """The median seconds of a frame of each program, drawn in turns of about a third of a second."""
+    draw = lambda name, count=1: page.evaluate("([name, count]) => { while (count--) draw(name); }", [name, count])
+    counts = {name: max(1, round(0.3 / max(0.001, clock.seconds(lambda: draw(name))))) for name in names}
     times = {name: [] for name in names}
-    for _ in range(frames):
-        for name in names:
-            times[name].append(page.evaluate("(name) => seconds(() => draw(name))", name))
+    for _ in range(turns):
+        for name, count in counts.items():
+            times[name].append(clock.seconds(lambda: draw(name, count)) / count)
     return {name: statistics.median(values) for name, values in times.items()}
 
 
-def compare(page, scene, out, size, frames):
+def compare(page, clock, scene, out, size, turns):
     shader, library, program = curv(scene), ours(scene, out), ours(scene, out, "--program")
     view = uniforms_of_curv(shader, size)
     own = {"resolution": [size, size], "turn": [0, 0], "zoom": 1, "rays": 1}
@@ -149,10 +166,10 @@ def compare(page, scene, out, size, frames):
     first = {}
     for name, (source, uniforms) in programs.items():
         arguments = [name, source, uniforms]
-        first[name] = page.evaluate("(all) => seconds(() => { compile(...all); draw(all[0]); })", arguments)
+        first[name] = clock.seconds(lambda: page.evaluate("(all) => { compile(...all); draw(all[0]); }", arguments))
         (out / f"{scene.stem}-{name}.png").write_bytes(base64.b64decode(page.evaluate("picture", name)))
-    frame = timed(page, programs, frames)
-    bytes_curv, bytes_ours = functions(distance_of_curv(shader)), functions(distance_of_ours(library))
+    frame = frame_times(page, clock, programs, turns)
+    bytes_curv, bytes_ours = code_bytes(distance_of_curv(shader)), code_bytes(distance_of_ours(library))
     pictures = compared(out / f"{scene.stem}-curv.png", out / f"{scene.stem}-ours.png")
     ratio = lambda a, b: f"{a:.3g} / {b:.3g} = {a / b:.2f}"
     print(
@@ -165,17 +182,18 @@ def compare(page, scene, out, size, frames):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--size", type=int, default=512, metavar="PIXELS")
-    parser.add_argument("--frames", type=int, default=15, metavar="N")
+    parser.add_argument("--turns", type=int, default=7, metavar="N")
     parser.add_argument("out", type=pathlib.Path, metavar="OUT")
     parser.add_argument("scenes", nargs="*", type=pathlib.Path, metavar="SCENE.curv")
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
     print("| scene | distance: bytes | first picture, s | frame, s | whole: bytes | first picture, s | frame, s | same shader |\n|---|---|---|---|---|---|---|---|")
     with chromium() as browser:
+        clock = Clock(browser)
         for scene in arguments.scenes or sorted(SCENES.glob("*.curv")):
             page = browser.new_page()
             page.add_script_tag(content=HARNESS)
-            compare(page, scene, arguments.out, arguments.size, arguments.frames)
+            compare(page, clock, scene, arguments.out, arguments.size, arguments.turns)
             page.close()
 
 

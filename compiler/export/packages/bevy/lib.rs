@@ -165,10 +165,10 @@ fn follow_the_clock(
     mut pictures: ResMut<Assets<{{ type_name }}Picture>>,
 ) {
     let now = (time.elapsed_secs() / 8.0).fract();
-    for (_, mut material) in materials.iter_mut() {
+    for (_, material) in materials.iter_mut() {
         material.numbers.{{ parameter.name }} = now;
     }
-    for (_, mut picture) in pictures.iter_mut() {
+    for (_, picture) in pictures.iter_mut() {
         picture.numbers.{{ parameter.name }} = now;
     }
 }

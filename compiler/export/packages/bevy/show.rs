@@ -27,7 +27,7 @@ fn add_picture(
     let quad = Mesh3d(meshes.add(screen()));
     let picture = MeshMaterial3d(pictures.add({{ type_name }}Picture::default()));
     commands.spawn((quad, picture, always_in_view()));
-    commands.spawn((Camera3d::default(), view()));
+    commands.spawn((Camera3d::default(), Msaa::Off, view()));
 }
 
 /// Bevy's shadows are made for metres: so the scene is shown about two metres large.
