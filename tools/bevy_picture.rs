@@ -30,6 +30,9 @@ fn main() {
     let drawn = Drawn::default();
     let mut app = show::app(arguments.any(|argument| argument == "picture"));
     app.sub_app_mut(RenderApp).insert_resource(drawn.clone()).add_systems(Render, count);
+    // Scenes are seen in the format of our own pictures.
+    let mut windows = app.world_mut().query::<&mut Window>();
+    windows.iter_mut(app.world_mut()).for_each(|mut window| window.resolution.set(1280.0, 960.0));
     app.insert_resource(drawn).insert_resource(file).add_systems(Startup, stop_the_clock).add_systems(Update, photograph);
     app.run();
 }

@@ -10,9 +10,9 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 chiaro=${CHIARO:-$root/target/release/chiaro}
 work=$root/target/bevy
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$work/target} CARGO_PROFILE_DEV_DEBUG=false CARGO_INCREMENTAL=0
-# A window of 1280 × 720 points has these pixels then.
+# A window of 1280 × 960 points has these pixels then.
 export WGPU_BACKEND=vulkan WINIT_X11_SCALE_FACTOR=0.25
-size=320x180
+size=320x240
 failed=0
 
 scenes=("$@")
@@ -34,7 +34,7 @@ cargo clippy --quiet --workspace --lib --examples --features bevy/png -- -D warn
 
 # Draws the solid or the picture; prints what Bevy says is wrong.
 shown() {
-    timeout 600 xvfb-run -a -s "-screen 0 1280x720x24" "$CARGO_TARGET_DIR/debug/examples/bevy_picture" "$@" 2>&1 | grep -E "ERROR|panicked" -A 3 || true
+    timeout 600 xvfb-run -a -s "-screen 0 1280x960x24" "$CARGO_TARGET_DIR/debug/examples/bevy_picture" "$@" 2>&1 | grep -E "ERROR|panicked" -A 3 || true
 }
 
 for scene in "${scenes[@]}"; do

@@ -29,10 +29,18 @@ PAGE = f"""<!DOCTYPE html>
 <body style="margin: 0"><canvas id="canvas" style="outline: none" width="{WIDTH}" height="{HEIGHT}"></canvas>
 <script src="index.js"></script>
 <script>
+// What is drawn stays readable, and is read before the engine's next frame, which may take long.
+const {{ getContext }} = canvas;
+canvas.getContext = (kind, options) => getContext.call(canvas, kind, {{ ...options, preserveDrawingBuffer: true }});
 let frames = 3;
-const wait = () => frames-- ? requestAnimationFrame(wait) : (document.body.dataset.drawn = true);
-new Engine({{ executable: "index", mainPack: "project.pck", canvas, canvasResizePolicy: 0 }})
-    .startGame({{ onPrintError: (...said) => console.error(...said) }})
+const wait = () => {{
+    if (frames--) return requestAnimationFrame(wait);
+    globalThis.submitted = canvas.toDataURL();
+    engine.requestQuit();
+    document.body.dataset.drawn = true;
+}};
+const engine = new Engine({{ executable: "index", mainPack: "project.pck", canvas, canvasResizePolicy: 0 }});
+engine.startGame({{ onPrintError: (...said) => console.error(...said) }})
     .then(wait, (problem) => console.error(problem.message ?? problem));
 </script>"""
 

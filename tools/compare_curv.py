@@ -6,7 +6,7 @@ process that draws takes of processors' time, as its driver is software: from th
 median of turns. As a check that both show the same, the SSIM of the pictures with the same shader. Needs what check_pages.py needs,
 and CURV, Curv's command line (github.com/curv3d/curv; the build with LEAN_BUILD will do). Pictures stay in the folder OUT, to look at.
 
-    CURV=curv python3 tools/compare_curv.py [--size PIXELS] [--turns N] OUT [SCENE.curv...]
+    CURV=curv python3 tools/compare_curv.py [--height PIXELS] [--turns N] [--functions-only] OUT [SCENE.curv...]
 """
 
 import argparse
@@ -36,8 +36,8 @@ EYE = (60, -80, 50)
 
 HARNESS = """
 globalThis.programs = {};
-globalThis.start = (size) => {
-    const canvas = new OffscreenCanvas(size, size);
+globalThis.start = (width, height) => {
+    const canvas = new OffscreenCanvas(width, height);
     globalThis.gl = canvas.getContext("webgl2", { antialias: false });
 };
 globalThis.compile = (name, source, uniforms) => {
@@ -69,7 +69,6 @@ globalThis.draw = (name) => {
 };
 globalThis.picture = async (name) => {
     draw(name);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
     const bytes = new Uint8Array(await (await gl.canvas.convertToBlob()).arrayBuffer());
     return btoa(bytes.reduce((text, byte) => text + String.fromCharCode(byte), ""));
 };
@@ -112,14 +111,14 @@ def viewed(shader, functions=None):
     return VIEWER + shader + MAIN
 
 
-def uniforms_of_curv(shader, size):
+def uniforms_of_curv(shader, width, height):
     """Curv's camera is told in sizes of the box around the scene, with y up."""
     low, high = ([float(x) for x in re.search(rf"bbox_{end} = vec3\((.*?)\)", shader)[1].split(",")] for end in ("min", "max"))
     unit = max(b - a for a, b in zip(low, high)) / 2 / 1.3
     seen = lambda point: [(x - (a + b) / 2) / unit for x, a, b in zip(point, low, high)]
     turned = lambda v: [v[0], v[2], -v[1]]
     return {
-        "iResolution": [size, size, 1],
+        "iResolution": [width, height, 1],
         "u_eye3d": turned(seen(EYE)),
         "u_centre3d": turned(seen((0, 0, 0))),
         "u_up3d": [0, 1, 0],
@@ -153,16 +152,20 @@ def frame_times(page, clock, names, turns):
     return {name: statistics.median(values) for name, values in times.items()}
 
 
-def compare(page, clock, scene, out, size, turns):
+def compare(page, clock, scene, out, height, turns, functions_only):
+    # Programs show the same part of the scene as the picture's format has, which is 4:3.
+    width = height * 4 // 3
     shader, library, program = curv(scene), ours(scene, out), ours(scene, out, "--program")
-    view = uniforms_of_curv(shader, size)
-    own = {"resolution": [size, size], "turn": [0, 0], "zoom": 1, "rays": 1}
+    view = uniforms_of_curv(shader, width, height)
+    own = {"resolution": [width, height], "turn": [0, 0], "zoom": 1, "rays": 1}
     programs = {
         "curv": (viewed(shader), view),
         "ours": (viewed(shader, library), view),
         "program": (HEAD + re.sub(r"#version.*|precision .*", "", program), own),
     }
-    page.evaluate("start", size)
+    if functions_only:
+        del programs["program"]
+    page.evaluate("([width, height]) => start(width, height)", [width, height])
     first = {}
     for name, (source, uniforms) in programs.items():
         arguments = [name, source, uniforms]
@@ -172,17 +175,18 @@ def compare(page, clock, scene, out, size, turns):
     bytes_curv, bytes_ours = code_bytes(distance_of_curv(shader)), code_bytes(distance_of_ours(library))
     pictures = compared(out / f"{scene.stem}-curv.png", out / f"{scene.stem}-ours.png")
     ratio = lambda a, b: f"{a:.3g} / {b:.3g} = {a / b:.2f}"
+    times = lambda name: " | ".join(ratio(time[name], time["curv"]) if name in time else "" for time in (first, frame))
     print(
-        f"| {scene.stem} | {ratio(bytes_ours, bytes_curv)} | {ratio(first['ours'], first['curv'])} | {ratio(frame['ours'], frame['curv'])} "
-        f"| {ratio(len(program), len(shader))} | {ratio(first['program'], first['curv'])} | {ratio(frame['program'], frame['curv'])} | {pictures} |",
+        f"| {scene.stem} | {ratio(bytes_ours, bytes_curv)} | {times('ours')} | {ratio(len(program), len(shader))} | {times('program')} | {pictures} |",
         flush=True,
     )
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--size", type=int, default=512, metavar="PIXELS")
+    parser.add_argument("--height", type=int, default=384, metavar="PIXELS")
     parser.add_argument("--turns", type=int, default=7, metavar="N")
+    parser.add_argument("--functions-only", action="store_true", help="leave the whole programs out, which take minutes in software")
     parser.add_argument("out", type=pathlib.Path, metavar="OUT")
     parser.add_argument("scenes", nargs="*", type=pathlib.Path, metavar="SCENE.curv")
     arguments = parser.parse_args()
@@ -193,7 +197,7 @@ def main():
         for scene in arguments.scenes or sorted(SCENES.glob("*.curv")):
             page = browser.new_page()
             page.add_script_tag(content=HARNESS)
-            compare(page, clock, scene, arguments.out, arguments.size, arguments.turns)
+            compare(page, clock, scene, arguments.out, arguments.height, arguments.turns, arguments.functions_only)
             page.close()
 
 

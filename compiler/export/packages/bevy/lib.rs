@@ -2,7 +2,7 @@
 //!
 //! Lengths are metres with y up: a scene's millimetre is 0.001. Written by Chiaro {{ version }}.
 
-use bevy::asset::embedded_asset;
+use bevy::asset::{embedded_asset, uuid_handle};
 use bevy::camera::visibility::NoFrustumCulling;
 use bevy::light::NotShadowCaster;
 use bevy::mesh::MeshVertexBufferLayoutRef;
@@ -13,12 +13,15 @@ use bevy::render::render_resource::ShaderType;
 {% endif %}
 use bevy::render::render_resource::{AsBindGroup, Face};
 use bevy::render::render_resource::{RenderPipelineDescriptor, SpecializedMeshPipelineError};
-use bevy::shader::ShaderRef;
+use bevy::shader::{Shader, ShaderRef, ValidateShader};
 
 /// The least corner of the box that the scene is in, in metres.
 pub const LEAST: Vec3 = vec3({{ (box_min[0] / 1000) | float }}, {{ (box_min[2] / 1000) | float }}, {{ (-box_max[1] / 1000) | float }});
 /// Its greatest corner.
 pub const GREATEST: Vec3 = vec3({{ (box_max[0] / 1000) | float }}, {{ (box_max[2] / 1000) | float }}, {{ (-box_min[1] / 1000) | float }});
+
+/// The shader of the picture.
+const PICTURE: Handle<Shader> = uuid_handle!("{{ name | uuid }}");
 
 /// Adds the scene's materials.
 pub struct {{ type_name }}Plugin;
@@ -27,13 +30,22 @@ impl Plugin for {{ type_name }}Plugin {
     fn build(&self, app: &mut App) {
         embedded_asset!(app, "{{ name }}.wgsl");
         embedded_asset!(app, "{{ name }}_depth.wgsl");
-        embedded_asset!(app, "{{ name }}_picture.wgsl");
+        let mut shaders = app.world_mut().resource_mut::<Assets<Shader>>();
+        shaders.insert(&PICTURE, picture_shader()).unwrap();
         app.add_plugins(MaterialPlugin::<{{ type_name }}Material>::default());
         app.add_plugins(MaterialPlugin::<{{ type_name }}Picture>::default());
 {% for parameter in parameters if parameter.is_time %}
         app.add_systems(Update, follow_the_clock);
 {% endfor %}
     }
+}
+
+/// Its loops are bounded by naga, as unbounded Mesa's software driver (22.3) draws wrong pixels.
+fn picture_shader() -> Shader {
+    let path = "{{ name }}_picture.wgsl";
+    let mut shader = Shader::from_wgsl(include_str!("{{ name }}_picture.wgsl"), path);
+    shader.validate_shader = ValidateShader::Enabled;
+    shader
 }
 
 {% if parameters %}
@@ -48,10 +60,10 @@ pub struct {{ type_name }}Numbers {
 
 impl Default for {{ type_name }}Numbers {
     fn default() -> Self {
-{# As rustfmt has it: a single short one stays in its line. #}
-{% set first = parameters[0].name ~ ": " ~ (parameters[0].default | float) %}
-{% if parameters | length == 1 and first | length <= 18 %}
-        Self { {{ first }} }
+{# As rustfmt has it: what is short stays in its line. #}
+{% set line %}{% for parameter in parameters %}{{ ", " if not loop.first }}{{ parameter.name }}: {{ parameter.default | float }}{% endfor %}{% endset %}
+{% if line | length <= 18 %}
+        Self { {{ line }} }
 {% else %}
         Self {
 {% for parameter in parameters %}
@@ -116,11 +128,11 @@ pub struct {{ type_name }}Picture {}
 
 impl Material for {{ type_name }}Picture {
     fn vertex_shader() -> ShaderRef {
-        "embedded://{{ name }}/{{ name }}_picture.wgsl".into()
+        PICTURE.into()
     }
 
     fn fragment_shader() -> ShaderRef {
-        "embedded://{{ name }}/{{ name }}_picture.wgsl".into()
+        PICTURE.into()
     }
 
     fn enable_prepass() -> bool {

@@ -2,6 +2,7 @@
 //! With `-- picture`, under its own lights.
 
 use bevy::prelude::*;
+
 use {{ name }}::*;
 
 fn main() {
