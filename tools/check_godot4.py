@@ -40,7 +40,7 @@ const wait = () => {{
     document.body.dataset.drawn = true;
 }};
 const engine = new Engine({{ executable: "index", mainPack: "project.pck", canvas, canvasResizePolicy: 0 }});
-engine.startGame({{ onPrintError: (...said) => console.error(...said) }})
+engine.startGame({{ args: ["--audio-driver", "Dummy"], onPrintError: (...said) => console.error(...said) }})
     .then(wait, (problem) => console.error(problem.message ?? problem));
 </script>"""
 

@@ -135,7 +135,7 @@ impl Context {
 }
 
 /// The same 128 bits for a name everywhere, as a UUID without hyphens (FNV-1a).
-fn uuid(name: &str) -> String {
+fn uuid(name: String) -> String {
     let mix = |hash: u128, byte| (hash ^ u128::from(byte)).wrapping_mul((1 << 88) + 0x13b);
     format!("{:032x}", name.bytes().fold(0x6c62_272e_07bb_0142_62b8_2175_6295_c58d, mix))
 }

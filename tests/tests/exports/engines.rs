@@ -51,7 +51,10 @@ fn bevys_crate_is_formatted() {
         let files = example.export(Target::Package(Package::Bevy)).unwrap();
         for ending in ["src/lib.rs", "examples/show.rs"] {
             let mut rustfmt = Command::new("rustfmt");
-            rustfmt.args(["--check", "--edition=2024", "--config-path=/dev/null"]).stdin(Stdio::piped()).stdout(Stdio::piped());
+            rustfmt
+                .args(["--check", "--edition=2024", "--config-path=/dev/null"])
+                .stdin(Stdio::piped())
+                .stdout(Stdio::piped());
             let mut rustfmt = rustfmt.spawn().unwrap();
             rustfmt.stdin.take().unwrap().write_all(text_at(&files, ending).as_bytes()).unwrap();
             let result = rustfmt.wait_with_output().unwrap();

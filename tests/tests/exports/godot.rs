@@ -79,7 +79,8 @@ const MAIN: &str = "\nvoid main() {\n    vertex();\n    fragment();\n    \
 
 /// A shader as a fragment shader in GLSL, with live numbers as constants, for a renderer; without one, before Godot 4.4.
 fn as_glsl(shader: &str, renderer: Option<&str>) -> String {
-    let renderer = renderer.map(|renderer| format!("{RENDERERS}#define CURRENT_RENDERER {renderer}\n")).unwrap_or_default();
+    let renderer =
+        renderer.map(|renderer| format!("{RENDERERS}#define CURRENT_RENDERER {renderer}\n")).unwrap_or_default();
     let body: String = shader.lines().map(|line| glsl_line(line) + "\n").collect();
     [HEAD, &renderer, BUILT_IN, &body, MAIN].concat()
 }
