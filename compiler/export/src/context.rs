@@ -126,11 +126,18 @@ impl Context {
         environment.set_syntax(syntax.map_err(failed)?);
         environment.add_filter("float", |value: f64| crate::parameters::number(value));
         environment.add_filter("template_literal", template_literal);
+        environment.add_filter("uuid", uuid);
         for (name, text) in PARTS {
             environment.add_template(name, text).map_err(failed)?;
         }
         environment.render_str(template, context! { code, ..Value::from(Serde(self)) }).map_err(failed)
     }
+}
+
+/// The same 128 bits for a name everywhere, as a UUID without hyphens (FNV-1a).
+fn uuid(name: String) -> String {
+    let mix = |hash: u128, byte| (hash ^ u128::from(byte)).wrapping_mul((1 << 88) + 0x13b);
+    format!("{:032x}", name.bytes().fold(0x6c62_272e_07bb_0142_62b8_2175_6295_c58d, mix))
 }
 
 /// Whether a character means nothing to any language, so that titles can stand in its comments and its strings.

@@ -1,6 +1,8 @@
 //! The packages of engines that can't be run here, as compilers see them that know of the engines what their shaders read.
 
 use std::collections::BTreeSet;
+use std::io::Write;
+use std::process::{Command, Stdio};
 
 use chiaro_compiler::export::{Package, Target};
 
@@ -43,6 +45,26 @@ fn bevys_materials_are_valid() {
     }
 }
 
+#[test]
+fn bevys_crate_is_formatted() {
+    for example in examples() {
+        let files = example.export(Target::Package(Package::Bevy)).unwrap();
+        for ending in ["src/lib.rs", "examples/show.rs"] {
+            let mut rustfmt = Command::new("rustfmt");
+            rustfmt
+                .args(["--check", "--edition=2024", "--config-path=/dev/null"])
+                .stdin(Stdio::piped())
+                .stdout(Stdio::piped());
+            let mut rustfmt = rustfmt.spawn().unwrap();
+            rustfmt.stdin.take().unwrap().write_all(text_at(&files, ending).as_bytes()).unwrap();
+            let result = rustfmt.wait_with_output().unwrap();
+            // Of what comes from standard input the status doesn't tell.
+            let difference = String::from_utf8(result.stdout).unwrap();
+            assert!(result.status.success() && difference.is_empty(), "{} {ending}: {difference}", example.name);
+        }
+    }
+}
+
 /// What Bevy's shaders import, cut down to what is read of it.
 const BEVY: &str = "
 struct View { clip_from_world: mat4x4<f32>, world_from_view: mat4x4<f32>, clip_from_view: mat4x4<f32>, world_position: vec3<f32>, viewport: vec4<f32> }
@@ -52,6 +74,8 @@ struct Mesh { flags: u32 }
 struct VertexOutput { @builtin(position) position: vec4<f32>, @location(0) world_position: vec4<f32>, @location(6) @interpolate(flat) instance_index: u32 }
 fn get_local_from_world(i: u32) -> mat4x4<f32> { return view.clip_from_world; }
 fn get_world_from_local(i: u32) -> mat4x4<f32> { return view.clip_from_world; }
+fn get_previous_world_from_local(i: u32) -> mat4x4<f32> { return view.clip_from_world; }
+fn calculate_motion_vector(to: vec4<f32>, before: vec4<f32>) -> vec2<f32> { return to.xy - before.xy; }
 struct StandardMaterial { base_color: vec4<f32>, emissive: vec4<f32>, perceptual_roughness: f32, metallic: f32 }
 struct PbrInput { material: StandardMaterial, frag_coord: vec4<f32>, world_position: vec4<f32>, world_normal: vec3<f32>, N: vec3<f32>, V: vec3<f32>, is_orthographic: bool, flags: u32 }
 fn pbr_input_new() -> PbrInput { return PbrInput(); }

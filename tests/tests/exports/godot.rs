@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use chiaro_compiler::export::{Package, Target};
 
-use super::support::{Example, Stage, compiled_by_glslang, examples, text_at};
+use super::support::{Example, Stage, compiled_by_glslang, examples, preprocessed_by_glslang, text_at};
 
 #[test]
 fn godots_shaders_compile() {
@@ -20,8 +20,9 @@ fn godots_shaders_compile() {
                 }
                 // The pass itself is that of GLSL programs, which all examples are compiled as.
                 if kind == "solid" || example.name == "mug" {
-                    compiled_by_glslang(&example.name, &as_glsl(&shader, false), Stage::Fragment);
-                    compiled_by_glslang(&example.name, &as_glsl(&shader, true), Stage::Fragment);
+                    for renderer in [None, Some("RENDERER_COMPATIBILITY"), Some("RENDERER_FORWARD_PLUS")] {
+                        compiled_by_glslang(&example.name, &as_glsl(&shader, renderer), Stage::Fragment);
+                    }
                 }
             }
         }
@@ -36,6 +37,16 @@ fn nothing_hides_a_live_number() {
         let files = example.export(Target::Package(package)).unwrap();
         assert_eq!(hidden_names(&text_at(&files, &format!("_picture.{ending}"))), Vec::<String>::new());
     }
+}
+
+#[test]
+fn vertices_move_where_godot_looks_shadows_up_at_what_they_span() {
+    let files = Example::of("ball.csg", "sphere(10);").export(Target::Package(Package::Godot4)).unwrap();
+    let shader = text_at(&files, "_solid.gdshader");
+    let moves = |renderer| preprocessed_by_glslang(&as_glsl(&shader, renderer)).contains("scene_approach(ray_start");
+    assert!(moves(None));
+    assert!(moves(Some("RENDERER_COMPATIBILITY")));
+    assert!(!moves(Some("RENDERER_FORWARD_PLUS")));
 }
 
 #[test]
@@ -58,15 +69,20 @@ const BUILT_IN: &str = "\
     vec3 VERTEX, LIGHT_VERTEX, NORMAL, ALBEDO, EMISSION;\nvec4 POSITION;\nfloat ROUGHNESS, METALLIC, DEPTH;\n\
     layout(location = 0) out vec4 pixel;\n";
 
+/// What Godot defines from version 4.4 on.
+const RENDERERS: &str =
+    "#define RENDERER_COMPATIBILITY 0\n#define RENDERER_MOBILE 1\n#define RENDERER_FORWARD_PLUS 2\n";
+
 /// Calls both entry points, and uses what they write.
 const MAIN: &str = "\nvoid main() {\n    vertex();\n    fragment();\n    \
     pixel = vec4(VERTEX + LIGHT_VERTEX + NORMAL + ALBEDO + EMISSION, ROUGHNESS + METALLIC + DEPTH) + POSITION;\n}\n";
 
-/// A shader as a fragment shader in GLSL, with live numbers as constants; before Godot 4.4, or from then on.
-fn as_glsl(shader: &str, is_new: bool) -> String {
-    let renderer = if is_new { "#define CURRENT_RENDERER 1\n" } else { "" };
+/// A shader as a fragment shader in GLSL, with live numbers as constants, for a renderer; without one, before Godot 4.4.
+fn as_glsl(shader: &str, renderer: Option<&str>) -> String {
+    let renderer =
+        renderer.map(|renderer| format!("{RENDERERS}#define CURRENT_RENDERER {renderer}\n")).unwrap_or_default();
     let body: String = shader.lines().map(|line| glsl_line(line) + "\n").collect();
-    [HEAD, renderer, BUILT_IN, &body, MAIN].concat()
+    [HEAD, &renderer, BUILT_IN, &body, MAIN].concat()
 }
 
 fn glsl_line(line: &str) -> String {

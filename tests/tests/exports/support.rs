@@ -126,6 +126,15 @@ pub(crate) fn compiled_by_glslang(name: &str, text: &str, stage: Stage) -> Vec<u
     std::fs::read(&output).unwrap_or_default()
 }
 
+/// What glslang's preprocessor leaves of a text.
+pub(crate) fn preprocessed_by_glslang(text: &str) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let input = folder.path().join("shader");
+    std::fs::write(&input, text).unwrap();
+    let result = Command::new("glslangValidator").args(["-E", "-S", "frag"]).arg(&input).output();
+    String::from_utf8(result.expect("glslang-tools is what tools/setup.sh --tests installs").stdout).unwrap()
+}
+
 /// Panics unless naga accepts a text.
 pub(crate) fn validated_by_naga(name: &str, text: &str) {
     let module =

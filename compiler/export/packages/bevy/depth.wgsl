@@ -3,10 +3,13 @@
 // For shadow maps, and for what Bevy draws ahead of the light: depth and normals.
 
 #import bevy_pbr::{
-    mesh_functions::{get_local_from_world, get_world_from_local},
+    mesh_functions::{get_local_from_world, get_previous_world_from_local, get_world_from_local},
     mesh_view_bindings::view,
     prepass_io::VertexOutput,
 }
+#ifdef MOTION_VECTOR_PREPASS
+#import bevy_pbr::pbr_prepass_functions::calculate_motion_vector
+#endif
 
 {{ code }}
 
@@ -29,6 +32,11 @@ fn fragment(in: VertexOutput) -> Output {
     var out: Output;
 #ifdef NORMAL_PREPASS
     out.normal = vec4<f32>(0.5 * hit.world_normal + 0.5, 1.0);
+#endif
+#ifdef MOTION_VECTOR_PREPASS
+    let local = vec4<f32>(local_point(hit.position), 1.0);
+    let previous = get_previous_world_from_local(in.instance_index) * local;
+    out.motion_vector = calculate_motion_vector(hit.world_position, previous);
 #endif
     out.depth = hit.depth;
     return out;

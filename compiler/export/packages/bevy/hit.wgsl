@@ -35,6 +35,9 @@ fn meet_scene(through: vec3<f32>, instance_index: u32) -> SceneHit {
 
     var hit: SceneHit;
     hit.is_hit = t != -1.0;
+    if !hit.is_hit {
+        return hit;
+    }
     hit.position = o + t * w;
     hit.world_position = get_world_from_local(instance_index) * vec4<f32>(local_point(hit.position), 1.0);
     let normal = local_point(scene_normal(hit.position, max(2.0 * (near + growth * abs(t)), 16.0 * near)));
