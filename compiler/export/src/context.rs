@@ -112,6 +112,15 @@ impl Context {
         Ok(context)
     }
 
+    /// The same, of a scene that is called otherwise if its name is one of these words.
+    pub(crate) fn with_other_name(mut self, taken: &str) -> Self {
+        if taken.split_whitespace().any(|word| word == self.name) {
+            self.name += "_scene";
+            self.type_name = camel_case(&self.name);
+        }
+        self
+    }
+
     /// A template filled in, with this as its shader code.
     pub(crate) fn fill(&self, template: &str, code: &str) -> Result<String, Diagnostic> {
         let mut environment = Environment::new();

@@ -18,7 +18,8 @@ pub(crate) fn words(text: &str) -> impl Iterator<Item = &str> {
 /// Whether a word is a type of numbers, or a vector or a matrix of them: `float`, `ivec3`, `half4x4`.
 fn is_type(word: &str) -> bool {
     let element = word.trim_end_matches(|c: char| c.is_ascii_digit() || c == 'x');
-    TYPES.contains(&word) || TYPES.contains(&element)
+    let counts = word[element.len()..].split('x').all(|count| count.len() == 1);
+    TYPES.contains(&word) || counts && TYPES.contains(&element)
 }
 
 /// Words of the templates.

@@ -183,3 +183,15 @@ fn unreals_shaders_compile() {
         compiled_by_glslang(&example.name, &material, Stage::HlslPixel);
     }
 }
+
+#[test]
+fn no_crate_for_bevy_is_called_as_one_of_rusts_or_bevys() {
+    for (scene, expected) in
+        [("box", "box_scene"), ("test", "test_scene"), ("standard", "standard_scene"), ("mug", "mug")]
+    {
+        let example = Example::of(&format!("{scene}.csg"), "sphere(2);");
+        let files = example.export(Target::Package(Package::Bevy)).unwrap();
+        assert!(text_at(&files, "Cargo.toml").contains(&format!("name = \"{expected}\"")), "{scene}");
+        assert!(!text_at(&files, "src/lib.rs").contains(" StandardMaterial {"), "{scene}");
+    }
+}

@@ -16,10 +16,17 @@ const DEPTH: &str = include_str!("../../packages/bevy/depth.wgsl");
 const PICTURE: &str = include_str!("../../packages/bevy/picture.wgsl");
 const README: &str = include_str!("../../packages/bevy/readme.md");
 
+/// What no crate may be called: Rust's keywords and own crates, Bevy's, and what would make a second `StandardMaterial`.
+const TAKEN: &str = "abstract alloc as async await become bevy box break const continue core crate do dyn else enum extern false \
+                     final fn for gen if impl in let loop macro match mod move mut override priv proc_macro pub ref return self \
+                     standard static std struct super test trait true try type typeof unsafe unsized use virtual where while \
+                     yield";
+
 pub(super) fn files(scene: &Scene) -> Result<Vec<File>, Diagnostic> {
     let (solid, lit) = scene.solid_and_lit()?;
     let hit = format!("{}\n{HIT}", material(&solid));
-    let folder = Folder::new(Context::new(scene, &solid.source.parameters)?)
+    let context = Context::new(scene, &solid.source.parameters)?.with_other_name(TAKEN);
+    let folder = Folder::new(context)
         .add("Cargo.toml", CRATE)?
         .add("src/lib.rs", PLUGIN)?
         .add_code("src/{}.wgsl", SOLID, &hit)?
