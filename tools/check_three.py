@@ -7,12 +7,10 @@ meshes is drawn without a message; what is wrong otherwise. Needs what check_pag
     THREE=node_modules/three python3 tools/check_three.py OUT [SCENE...]
 """
 
-import argparse
 import os
 import pathlib
-import sys
 
-from chromium import PATIENCE_MS, chiaro, chromium, examples, one_pass, page_of, photograph
+from chromium import PATIENCE_MS, check_scenes, chiaro, one_pass, page_of, photograph
 from compare_pictures import compared
 
 CDN = "https://cdn.jsdelivr.net/npm/three@0.187.0/"
@@ -69,16 +67,5 @@ def check(browser, scene, out):
     return quiet
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("out", type=pathlib.Path, metavar="OUT")
-    parser.add_argument("scenes", nargs="*", type=pathlib.Path, metavar="SCENE")
-    arguments = parser.parse_args()
-    arguments.out.mkdir(parents=True, exist_ok=True)
-    with chromium() as browser:
-        quiet = [check(browser, scene, arguments.out) for scene in arguments.scenes or examples()]
-    sys.exit(not all(quiet))
-
-
 if __name__ == "__main__":
-    main()
+    check_scenes(__doc__, check)

@@ -1,10 +1,12 @@
 """What the checks in Chromium have in common: the browser, scenes, and pictures of them."""
 
+import argparse
 import base64
 import contextlib
 import os
 import pathlib
 import subprocess
+import sys
 
 from playwright.sync_api import sync_playwright
 
@@ -81,3 +83,15 @@ def one_pass(scene, picture):
 def examples():
     """All example scenes."""
     return sorted((ROOT / "examples_csg").glob("*.csg"))
+
+
+def check_scenes(description, check):
+    """The main program of checks that take OUT and scenes: ends with 1 unless `check` finds every scene in order."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("out", type=pathlib.Path, metavar="OUT")
+    parser.add_argument("scenes", nargs="*", type=pathlib.Path, metavar="SCENE")
+    arguments = parser.parse_args()
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    with chromium() as browser:
+        quiet = [check(browser, scene, arguments.out) for scene in arguments.scenes or examples()]
+    sys.exit(not all(quiet))
