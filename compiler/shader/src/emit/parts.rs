@@ -163,6 +163,9 @@ impl Emission<'_> {
         if self.parts.are_large(nodes) {
             return self.parts.packed(self.groups(nodes).iter().flat_map(of_group).collect());
         }
+        if nodes.iter().all(|node| self.series.of_operand(*node).is_none()) {
+            return nodes.iter().map(|node| vec![*node]).collect();
+        }
         let series: Vec<Vec<NodeId>> = self.groups(nodes).into_iter().filter(|group| self.is_series(group)).collect();
         let in_series: FxHashSet<NodeId> = series.iter().flatten().copied().collect();
         let others = nodes.iter().filter(|node| !in_series.contains(node)).map(|node| vec![*node]);
