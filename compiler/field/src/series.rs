@@ -42,9 +42,7 @@ pub struct AllSeries {
 /// Operands that are the same but for their places and some numbers.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// The operands, in the order of the text; of a difference, the complements of the members.
-    pub operands: Vec<NodeId>,
-    /// The members, in the same order.
+    /// The members, in the order of the text.
     pub members: Vec<Instance>,
     /// The point that they are computed from, which is the pattern's world.
     pub base: PointId,
@@ -59,6 +57,8 @@ pub struct Series {
 /// A member of a series.
 #[derive(Clone, Debug)]
 pub struct Instance {
+    /// The operand; of a difference, a complement.
+    pub operand: NodeId,
     /// The operand without its sign and material.
     pub node: NodeId,
     /// From the base to where the pattern is asked; in a plane, it leaves z alone.
@@ -95,8 +95,8 @@ impl AllSeries {
     /// Takes up a series.
     fn push(&mut self, series: Series) {
         let place = self.series.len();
-        for (member, (instance, operand)) in series.members.iter().zip(&series.operands).enumerate() {
-            self.of_operand.insert(*operand, place);
+        for (member, instance) in series.members.iter().enumerate() {
+            self.of_operand.insert(instance.operand, place);
             self.of_member.insert(instance.node, (place, member));
         }
         self.series.push(series);
@@ -207,13 +207,13 @@ fn series(graph: &Graph, group: &[Candidate]) -> Series {
     let places = numbers.split_off(first.walk.numbers.len());
     let maps: Vec<Affine> = frame.maps.iter().zip(places.chunks_exact(3)).map(|(map, by)| map_to(map, by)).collect();
     let members = group.iter().zip(&all).map(|(member, own)| Instance {
+        operand: member.operand,
         node: member.node,
         map: frame.of_member(&member.walk.maps),
         numbers: columns.iter().map(|column| own[*column].clone()).collect(),
     });
     let pattern = first.walk.pattern(&numbers, &maps, slots);
     Series {
-        operands: group.iter().map(|member| member.operand).collect(),
         members: members.collect(),
         base: first.base,
         is_plane: graph.dimension(first.base) == 2,
