@@ -65,7 +65,7 @@ struct Moment {
     bounds: Vec<Bounds>,
 }
 
-/// How close to the surface a ray has to come, relative to the numbers involved.
+/// How near to the surface counts as on it, relative to the numbers involved.
 const HIT: f64 = 1e-9;
 /// How many steps a ray may take.
 const MOST_STEPS: usize = 20_000;
@@ -247,10 +247,11 @@ impl Moment {
             let point = [0, 1, 2].map(|axis| eye[axis] + t * direction[axis]);
             let distance = self.evaluator.distance(point);
             let near = 1e3 * HIT * magnitude(point).max(t);
-            if distance <= near {
+            // Only where the sign changes there is a surface.
+            if distance < 0.0 {
                 return Some(point);
             }
-            t += (distance / lipschitz).max(near);
+            t += distance / lipschitz + near;
             if t.is_nan() || t > leave {
                 return None;
             }

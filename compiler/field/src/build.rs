@@ -10,7 +10,7 @@ use rustc_hash::{FxHashMap, FxHasher};
 
 use crate::extent::{Extent, Measure, Placement, Ranges};
 use crate::facts::Facts;
-use crate::graph::{Graph, MaterialId, Node, NodeId, Point, PointId};
+use crate::graph::{self, Graph, MaterialId, Node, NodeId, Point, PointId};
 use crate::matrix::{constant_rows, largest_singular_value, linear};
 use crate::walk;
 
@@ -84,6 +84,20 @@ impl Builder {
 
     pub(crate) fn get(&self, id: NodeId) -> &Node {
         &self.nodes.items[id.0 as usize]
+    }
+
+    pub(crate) fn get_point(&self, id: PointId) -> &Point {
+        &self.points.items[id.0 as usize]
+    }
+
+    /// The map that undoes a point's, if it is known as it was composed.
+    pub(crate) fn forward(&self, id: PointId) -> Option<&Affine> {
+        self.placements.forward[id.0 as usize].as_ref()
+    }
+
+    /// How many coordinates a point has.
+    pub(crate) fn dimension(&self, id: PointId) -> usize {
+        graph::dimension(&self.points.items, id)
     }
 
     pub(crate) fn facts(&self, id: NodeId) -> &Facts {

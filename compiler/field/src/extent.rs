@@ -251,7 +251,7 @@ impl Measure<'_> {
 }
 
 /// How far a joint of radius 1 between that many operands reaches beyond all of them: x in n (1 − x)ᵖ = 1.
-fn bulge(profile: Profile, operands: usize) -> f64 {
+pub(crate) fn bulge(profile: Profile, operands: usize) -> f64 {
     1.0 - (operands as f64).powf(-1.0 / f64::from(exponent(profile)))
 }
 

@@ -110,12 +110,7 @@ pub struct Graph {
 impl Graph {
     /// How many coordinates a point has: two, if it is a plane point, or else three.
     pub fn dimension(&self, id: PointId) -> usize {
-        match &self.points[id.0 as usize] {
-            Point::World | Point::Flattened(_) => 3,
-            Point::Affine(_, from) | Point::Confined(_, from) => self.dimension(*from),
-            Point::Warp(row, ..) if row.kind == Kind::Section => 2,
-            Point::Warp(..) => 3,
-        }
+        dimension(&self.points, id)
     }
 
     /// Whether it is the same field, from whichever places of the text: then the shaders of one serve the other.
@@ -127,5 +122,15 @@ impl Graph {
             && *facts == other.facts
             && *materials == other.materials
             && *slots == other.slots
+    }
+}
+
+/// How many coordinates one of some points has.
+pub(crate) fn dimension(points: &[Point], id: PointId) -> usize {
+    match &points[id.0 as usize] {
+        Point::World | Point::Flattened(_) => 3,
+        Point::Affine(_, from) | Point::Confined(_, from) => dimension(points, *from),
+        Point::Warp(row, ..) if row.kind == Kind::Section => 2,
+        Point::Warp(..) => 3,
     }
 }

@@ -9,6 +9,7 @@ mod context;
 mod extrude;
 mod normalise;
 mod plane;
+mod regular;
 mod shape;
 mod sphere_hull;
 mod warp;

@@ -101,7 +101,30 @@ fn misses_parts(lattice: &Lattice, blocks: &[Site], cells: &Cells, sampler: &mut
         });
         around.count() == 0
     };
-    Ok(met.iter().any(is_missed))
+    met.retain(is_missed);
+    has_surface(lattice, &met, sampler)
+}
+
+/// Whether the value changes its sign at any of these points, where it is zero: faces of solids that lie in each other leave
+/// zeros that are no surface.
+fn has_surface(lattice: &Lattice, zeros: &[[f64; 3]], sampler: &mut Sampler) -> Result<bool, Error> {
+    /// How far to both sides is looked, in cells.
+    const REACHES: [f64; 5] = [0.002, 0.01, 0.05, 0.2, 0.5];
+    const MOST_LOOKED_AT: usize = 512;
+    let every = zeros.len().div_ceil(MOST_LOOKED_AT).max(1);
+    let zeros: Vec<[f64; 3]> = zeros.iter().step_by(every).copied().collect();
+    let gradients = sampler.gradients(Stage::Searching, &zeros, |zero| *zero)?;
+    let beside: Vec<[f64; 3]> = (zeros.iter().zip(gradients))
+        .flat_map(|(zero, dual)| {
+            let normal = unit(dual.gradient).unwrap_or([0.0, 0.0, 1.0]);
+            REACHES
+                .iter()
+                .flat_map(move |reach| [*reach, -reach].map(|by| add(*zero, scale(normal, by * lattice.step))))
+        })
+        .collect();
+    let values = sampler.distances(Stage::Searching, &beside, |point| *point)?;
+    let changes = |values: &[f64]| values.iter().any(|value| *value < 0.0) && values.iter().any(|value| *value > 0.0);
+    Ok(values.chunks(2 * REACHES.len()).any(changes))
 }
 
 /// Blocks of eight cells, by the least corner, that the surface may go through; none if they would be too many.

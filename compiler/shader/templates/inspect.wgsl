@@ -30,9 +30,7 @@ fn inspect(@builtin(global_invocation_id) id: vec3<u32>) {
     let slope = length(met.n);
     let n = met.n / max(slope, TINY);
     let index = pixel.y * view.size.x + pixel.x;
-    // Where the ray started within the scene it stays on the plane.
-    let behind = select(max(met.d, 0.0), met.d, met.t > start);
-    positions[index] = vec4<f32>(ray.o + met.t * ray.w - behind * n, met.t);
+    positions[index] = vec4<f32>(ray.o + met.t * ray.w, met.t);
     normals[index] = vec4<f32>(n, slope / max(4.0 * met.h, TINY));
     evaluations[index] = met.evaluations;
 }

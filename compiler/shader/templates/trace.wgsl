@@ -91,8 +91,7 @@ fn path(pixel: vec2<u32>, start: f32, place: u32) -> vec4<f32> {
         // A hit at a point without slope, such as a sphere's centre, faces the ray.
         var n = select(-segment.ray.w, normalize(met.n), dot(met.n, met.n) > TINY);
         var h = met.h;
-        // Where the ray is hit by less than a pixel's width, the slope leads on to the surface.
-        let position = segment.ray.o + t * segment.ray.w - select(met.d, 0.0, missed) * n;
+        let position = segment.ray.o + t * segment.ray.w;
         var surface = scene_surface(position);
         if missed {
             surface = Surface(vec4<f32>(FLOOR_ALBEDO, 1.0), vec4<f32>(1.0, 0.0, 0.0, 0.0));
@@ -101,7 +100,7 @@ fn path(pixel: vec2<u32>, start: f32, place: u32) -> vec4<f32> {
         } else if unit_interval(hash(seed, hash(sample, 64u + i))) >= surface.color.a {
             // Translucent: as many rays as light passes go on, out of the other side.
             segment.side = -segment.side;
-            segment.start = t + max(segment.side * met.d, 0.0) + 2.0 * h;
+            segment.start = t + 2.0 * h;
             continue;
         }
 

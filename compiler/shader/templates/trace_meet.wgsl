@@ -3,18 +3,23 @@
 // Theory: Sphere tracing (Hart 1996) with automatically relaxed steps: the slope of the distances met so far predicts how
 // far the next sphere may lie for both to touch (Bálint, Valasek, Gera: "Operations on Signed Distance Function
 // Estimates", 2023; step r ω with ω = 2/(1 − m)); where two spheres come apart, the ray goes back.
-// Changes: Segments to surfaces, segments to lights and the probes of normals all ask the scene in one place of one loop,
+// Changes: A surface is met where the distance changes its sign, and not where it is small: faces of solids that lie in
+// each other may leave zeros that no surface is at. So steps go on by a part of a pixel where they get short, and the
+// crossing is where the line through the last two values is 0.
+// Segments to surfaces, segments to lights and the probes of normals all ask the scene in one place of one loop,
 // because drivers take time in proportion to the calls of the scene.
 // Practice: some twenty evaluations for a ray from the eye, and four for the normal.
 
 /// The β of the running mean of slopes.
 const RELAXATION: f32 = 0.3;
+/// A ray that comes nearer more slowly than this steps as if it came as fast.
+const LEAST_FALL: f32 = 0.0625;
 /// Of one segment; few grazing rays come near it. lavapipe ends all loops of an invocation together after 65535 rounds,
 /// those within the scene's distance included.
 const MAX_STEPS: u32 = 1500u;
 /// The edge of the prepass's finest tiles.
 const START_EDGE: u32 = 4u;
-/// A hit is nearer to the surface than this part of a pixel.
+/// Steps go this part of a pixel beyond what is known to be free.
 const HIT: f32 = 0.01;
 
 /// A segment of a path.
@@ -24,7 +29,7 @@ struct Segment {
     start: f32,
     /// Nor from here on.
     end: f32,
-    /// The distance that counts as a hit, and how much it grows along the ray.
+    /// How far steps go beyond what is free, and how much that grows along the ray. What is thinner may be missed.
     hit: vec2<f32>,
     /// 1 outside solids; −1 within a translucent one, where distances count from within.
     side: f32,
@@ -36,8 +41,7 @@ struct Segment {
 struct Met {
     /// How far along the ray; nothing if negative.
     t: f32,
-    /// The distance there, and its slope: the normal, but for its length.
-    d: f32,
+    /// The slope of the distance there: the normal, but for its length.
     n: vec3<f32>,
     /// How far around n was asked.
     h: f32,
@@ -55,19 +59,17 @@ fn meet(segment: Segment) -> Met {
     let w = segment.ray.w;
     let crossing = box_crossing(segment.ray);
     let end = min(crossing.y, segment.end);
-    // The ray is free up to t, where the free radius is r; the scene is asked next z ahead; m is the mean slope of r.
+    // The ray is free up to t, where the free radius is r, and steps to `safe` beyond leap over nothing; the scene is asked
+    // next z ahead; m is the mean slope of r.
     var t = max(crossing.x, segment.start);
     // Where a ray enters the box it may meet a surface at once; where it leaves a surface it must not.
     var r = select(0.0, FAR, t > 0.0);
+    var safe = 0.0;
     var z = 0.0;
     var m = -1.0;
-    var met = Met(-1.0, 0.0, vec3<f32>(0.0), 0.0, 0u);
-    // Corners of the tetrahedron about the hit that are still to be asked; d at the hit, and how it fell on the way
-    // there; how small d has to be now to be worth asking.
+    var met = Met(-1.0, vec3<f32>(0.0), 0.0, 0u);
+    // Corners of the tetrahedron about the hit that are still to be asked.
     var probes = 0u;
-    var found = 0.0;
-    var fall = 0.0;
-    var worth = FAR;
 
     while (probes > 0u) | ((t < end) & (met.evaluations < MAX_STEPS)) {
         // Ask the scene: ahead on the ray, or at a corner about the hit.
@@ -76,53 +78,41 @@ fn meet(segment: Segment) -> Met {
         let d = scene_distance(select(o + ahead * w, at_corner, probes > 0u));
         met.evaluations += 1u;
 
-        // The differences to the corners sum up to the slope, and so to the normal. Distances that fall slowly, as
-        // those of warped and of scaled parts may, look nearer than they are: then it was no hit, and the ray goes on.
+        // The differences to the corners sum up to the slope, and so to the normal.
         if probes > 0u {
             met.n += d * corner(probes - 1u);
             probes -= 1u;
-            if probes > 0u {
-                continue;
-            }
-            let slope = max(length(met.n) / (4.0 * met.h), fall);
-            if found <= (segment.hit.x + segment.hit.y * t) * slope {
-                // How far it is to the surface itself.
-                met.d = segment.side * found / max(slope, TINY);
+            if probes == 0u {
                 break;
             }
-            met.t = -1.0;
-            met.n = vec3<f32>(0.0);
-            worth = 0.5 * found;
             continue;
         }
 
         // Where the spheres come apart, or a relaxed step went into a solid, go back and step to the former one's end.
         let free = segment.side * d / view.eye.w;
         let step = ahead - t;
-        let near = segment.hit.x + segment.hit.y * ahead;
-        if step > r + free && z > max(r, near) {
+        if step > r + free && z > safe {
             m = -1.0;
-            z = max(r, near);
+            z = safe;
             continue;
         }
 
-        // A hit: nearer than the pixel is wide, and getting nearer (or a ray would hit what it leaves). Here d counts
-        // and not d/L, which is small far from surfaces too if some part of the scene has a large L.
-        worth = select(FAR, worth, segment.side * d < near);
-        let hits = segment.side * d < min(near, worth) && free < r;
-        fall = view.eye.w * (r - free) / max(step, TINY);
+        // A hit: inside, and getting deeper (or a ray would hit what it leaves).
+        let near = segment.hit.x + segment.hit.y * ahead;
+        if free < 0.0 && free < r {
+            met.t = select(ahead, t + step * r / (r - free), r > 0.0 && r < FAR);
+            met.h = max(2.0 * near, 16.0 * view.box_min.w);
+            probes = 4u;
+        }
         m = select(-1.0, mix(m, (free - r) / step, RELAXATION), step > 0.0 && r < FAR);
         t = ahead;
         r = free;
-        if hits {
-            met.t = t;
-            met.h = max(2.0 * near, 16.0 * view.box_min.w);
-            found = segment.side * d;
-            probes = 4u;
-        }
 
-        // The next sphere touches this one if the slope stays what it was.
-        z = max(r * max(1.0, 2.0 / (1.0 - min(m, 0.6))), near);
+        // The next sphere touches this one if the slope stays what it was. Near a surface the ray goes on to where the slope
+        // says that it is beyond.
+        safe = max(r, 0.0) + near;
+        safe /= select(1.0, clamp(-m, LEAST_FALL, 1.0), r < near);
+        z = max(r * max(1.0, 2.0 / (1.0 - min(m, 0.6))), safe);
     }
     return met;
 }

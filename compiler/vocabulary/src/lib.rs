@@ -13,12 +13,14 @@
 
 pub mod bounds;
 pub mod cpu;
+pub mod form;
 pub mod interval;
 mod library;
 pub mod rows;
 pub mod table;
 
 pub use bounds::Bounds;
+pub use form::Form;
 pub use interval::Interval;
 pub use library::{module, source};
 pub use rows::{row, rows};

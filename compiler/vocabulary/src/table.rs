@@ -1,6 +1,7 @@
 //! The table: one row for each function of the vocabulary.
 
 use crate::bounds::Bounds;
+use crate::form::Form;
 use crate::interval::Interval;
 
 /// What is known of a distance function's values, apart from its Lipschitz constant. From strong to weak.
@@ -106,6 +107,8 @@ pub struct Row {
     pub module: bool,
     /// Whether turning the shape about the origin changes nothing, so that a rotation above it can be left out.
     pub round: bool,
+    /// What is known of its faces.
+    pub form: &'static Form,
     /// A box around a shape for all values of its parameters, flattened.
     pub bounds: fn(&[Interval]) -> Bounds,
     /// One line of manual.

@@ -27,15 +27,29 @@ impl Lowering {
         let joint = joint.map(|joint| Joint { profile: joint.profile, radius: below.length(&joint.radius) });
         let mut operands = children.iter().map(|child| self.lower(child, below)).collect::<Vec<_>>().into_iter();
         match operation {
-            Boolean::Union => self.union(operands.flatten().collect(), joint, span),
+            Boolean::Union => {
+                let operands = operands.flatten().collect();
+                match joint {
+                    Some(joint) => self.joined(Operation::Union, operands, joint, below, span),
+                    None => {
+                        let flat = self.flattened(operands, Operation::Union);
+                        let merged = self.merged(flat, below);
+                        self.union(merged, None, span)
+                    }
+                }
+            }
             Boolean::Intersection => {
                 let operands = operands.collect::<Option<Vec<_>>>()?;
-                self.intersection(operands, joint, span)
+                let operands = self.meet(operands, below)?;
+                match joint {
+                    Some(joint) => self.joined(Operation::Intersection, operands, joint, below, span),
+                    None => self.intersection(operands, None, span),
+                }
             }
             Boolean::Difference => {
                 let minuend = operands.next()??;
                 let subtrahends = operands.flatten().collect();
-                self.difference(minuend, subtrahends, joint, span)
+                self.difference(minuend, subtrahends, joint, below, span)
             }
         }
     }
@@ -65,6 +79,7 @@ impl Lowering {
         minuend: NodeId,
         subtrahends: Vec<NodeId>,
         joint: Option<Joint>,
+        context: &Context,
         span: Span,
     ) -> Option<NodeId> {
         let kept = self.builder.extent(minuend).bounds;
@@ -75,6 +90,21 @@ impl Lowering {
         };
         let meets = |id: &NodeId| !self.builder.extent(*id).within(reach).intersection(&kept).is_empty();
         let subtrahends: Vec<NodeId> = subtrahends.into_iter().filter(meets).collect();
+        let subtrahends = match joint {
+            None => self.merged(subtrahends, context),
+            Some(_) => subtrahends,
+        };
+        self.cut(minuend, subtrahends, joint.as_ref(), context, span)
+    }
+
+    /// What is left of a node without others.
+    pub(super) fn without(
+        &mut self,
+        minuend: NodeId,
+        subtrahends: Vec<NodeId>,
+        joint: Option<&Joint>,
+        span: Span,
+    ) -> Option<NodeId> {
         if subtrahends.is_empty() {
             return Some(minuend);
         }
@@ -86,17 +116,17 @@ impl Lowering {
             }
             Some(_) => operands.extend(subtrahends.into_iter().map(|id| self.complement(id, span))),
         }
-        self.intersection(operands, joint, span)
+        self.intersection(operands, joint.cloned(), span)
     }
 
-    fn complement(&mut self, id: NodeId, span: Span) -> NodeId {
+    pub(super) fn complement(&mut self, id: NodeId, span: Span) -> NodeId {
         let facts = *self.builder.facts(id);
         // The inside becomes the outside, where only an exact distance is known well.
         let class = if facts.class == Class::Exact { Class::Exact } else { Class::Bound };
         self.builder.node(Node::Negate(id), span, class, facts.lipschitz)
     }
 
-    fn reduced(
+    pub(super) fn reduced(
         &mut self,
         operation: Operation,
         joint: Option<Joint>,

@@ -100,9 +100,8 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>, ray:
         let is_hit = answer.t >= 0.0;
 
         // The surface that was met, or that covers a cone most.
-        let is_ray = query.kind == QUERY_RAY;
         let slope_n = select(-query.w, normalize(answer.n), dot(answer.n, answer.n) > TINY);
-        let met_position = query.o + answer.t * query.w - select(0.0, answer.d, is_ray) * slope_n;
+        let met_position = query.o + answer.t * query.w;
         var met = surface;
         if is_hit && stage != STAGE_LIGHT && stage != STAGE_CELL && stage != STAGE_MIRROR_LIGHT {
             met = scene_surface(met_position);
@@ -136,7 +135,7 @@ fn one_pass(o: vec3<f32>, w: vec3<f32>, pixel_angle: f32, place: vec2<f32>, ray:
             transmitted *= 1.0 - opacity;
             next_query = query;
             next_query.side = -query.side;
-            next_query.start = t + max(next_query.side * answer.d, 0.0) + 2.0 * h;
+            next_query.start = t + 2.0 * h;
             catches = !is_hit && setting_is_studio();
             x = vertex_of(surface, n, -w);
             clearance = max(2.0 * h, pixel_angle * t);

@@ -12,6 +12,8 @@ const QUERY_CONE: i32 = 1;
 
 /// The β of the running mean of slopes.
 const RELAXATION: f32 = 0.3;
+/// A ray that comes nearer more slowly than this steps as if it came as fast.
+const LEAST_FALL: f32 = 0.0625;
 /// Of one query. Few grazing rays come near it.
 const MAX_STEPS: i32 = 400;
 const MAX_CONE_STEPS: i32 = 192;
@@ -33,7 +35,7 @@ struct Query {
     start: f32,
     /// Nor does anything from here on count.
     end: f32,
-    /// Of a ray: the distance that counts as a hit, and how much it grows along the ray.
+    /// Of a ray: how far steps go beyond what is free, and how much that grows along the ray.
     hit: vec2<f32>,
     /// Of a ray: 1 outside of solids; −1 within one, where distances count from within.
     side: f32,
@@ -54,8 +56,7 @@ struct Query {
 struct Answer {
     /// How far along the ray it meets a surface, negative for none; how far along the cone its axis does, or is nearest to one.
     t: f32,
-    /// The distance there, of a ray; and its slope: the normal, but for its length.
-    d: f32,
+    /// The slope of the distance there: the normal, but for its length.
     n: vec3<f32>,
     /// How far around n was asked.
     h: f32,
@@ -94,22 +95,20 @@ fn query_cone(o: vec3<f32>, w: vec3<f32>, sine: f32, end: f32, n: vec3<f32>, off
 fn ask(query: Query) -> Answer {
     let is_cone = query.kind == QUERY_CONE;
     let lipschitz = setting_lipschitz();
-    var answer = Answer(-1.0, 0.0, vec3<f32>(0.0), 0.0, UNBOUNDED, -1.0, 0);
+    var answer = Answer(-1.0, vec3<f32>(0.0), 0.0, UNBOUNDED, -1.0, 0);
 
-    // Of a ray. It is free up to t, where the free radius is r; the scene is asked next z ahead; m is the mean slope of r.
+    // Of a ray. It is free up to t, where the free radius is r, and steps to `safe` beyond leap over nothing; the scene is
+    // asked next z ahead; m is the mean slope of r.
     let crossing = box_crossing(Ray(query.o, query.w));
     let end = min(crossing.y, query.end);
     var t = max(crossing.x, query.start);
     // Where a ray enters the box it may meet a surface at once; where it leaves a surface it must not.
     var r = select(0.0, FAR, t > 0.0);
+    var safe = 0.0;
     var z = 0.0;
     var m = -1.0;
-    // Corners of the tetrahedron about the hit that are still to be asked; d at the hit, and how it fell on the way
-    // there; how small d has to be now to be worth asking.
+    // Corners of the tetrahedron about the hit that are still to be asked.
     var probes = 0;
-    var found = 0.0;
-    var fall = 0.0;
-    var worth = FAR;
 
     // Of a cone.
     var march = march_along(
@@ -167,57 +166,42 @@ fn ask(query: Query) -> Answer {
             continue;
         }
 
-        // The differences to the corners sum up to the slope, and so to the normal. Distances that fall slowly, as
-        // those of warped and of scaled parts may, look nearer than they are: then it was no hit, and the ray goes on.
+        // The differences to the corners sum up to the slope, and so to the normal.
         if probes > 0 {
             answer.n += d * tetrahedron_corner(probes - 1);
             probes -= 1;
-            if probes > 0 {
-                continue;
-            }
-            if is_cone {
+            if probes == 0 {
                 break;
             }
-            let slope = max(length(answer.n) / (4.0 * answer.h), fall);
-            if found <= (query.hit.x + query.hit.y * t) * slope {
-                // How far it is to the surface itself.
-                answer.d = query.side * found / max(slope, TINY);
-                break;
-            }
-            answer.t = -1.0;
-            answer.n = vec3<f32>(0.0);
-            worth = 0.5 * found;
             continue;
         }
 
         // Where the spheres come apart, or a relaxed step went into a solid, go back and step to the former one's end.
         let free = query.side * d / lipschitz;
         let step_taken = ahead - t;
-        let near = query.hit.x + query.hit.y * ahead;
-        if step_taken > r + free && z > max(r, near) {
+        if step_taken > r + free && z > safe {
             m = -1.0;
-            z = max(r, near);
+            z = safe;
             continue;
         }
 
-        // A hit: nearer than the pixel is wide, and getting nearer (or a ray would hit what it leaves). Here d counts
-        // and not d/L, which is small far from surfaces too if some part of the scene has a large L.
-        worth = select(FAR, worth, query.side * d < near);
-        let hits = query.side * d < min(near, worth) && free < r;
-        fall = lipschitz * (r - free) / max(step_taken, TINY);
+        // A hit: inside, and getting deeper (or a ray would hit what it leaves).
+        let near = query.hit.x + query.hit.y * ahead;
+        if free < 0.0 && free < r {
+            answer.t = select(ahead, t + step_taken * r / (r - free), r > 0.0 && r < FAR);
+            answer.h = max(2.0 * near, 16.0 * setting_epsilon());
+            probes = 4;
+        }
         m = select(-1.0, mix(m, (free - r) / step_taken, RELAXATION), step_taken > 0.0 && r < FAR);
         t = ahead;
         r = free;
         answer.least = min(answer.least, free / max(query.sine * (ahead - query.start), TINY));
-        if hits {
-            answer.t = t;
-            answer.h = max(2.0 * near, 16.0 * setting_epsilon());
-            found = query.side * d;
-            probes = 4;
-        }
 
-        // The next sphere touches this one if the slope stays what it was.
-        z = max(r * max(1.0, 2.0 / (1.0 - min(m, 0.6))), near);
+        // The next sphere touches this one if the slope stays what it was. Near a surface the ray goes on to where the slope
+        // says that it is beyond.
+        safe = max(r, 0.0) + near;
+        safe /= select(1.0, clamp(-m, LEAST_FALL, 1.0), r < near);
+        z = max(r * max(1.0, 2.0 / (1.0 - min(m, 0.6))), safe);
     }
     if is_cone {
         answer.least = march.least / query.sine;

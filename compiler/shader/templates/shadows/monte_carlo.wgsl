@@ -6,8 +6,8 @@
 // is the number of rays drawn before, so that passes add up to one sequence, and its upper half chooses the sequence;
 // `task.cells` is how many rays are drawn now. Where `task.stage` asks for the whole integral, V₀ gives way to it.
 
-/// A ray that comes so near arrives at a surface, in offsets.
-const CONTACT: f32 = 0.025;
+/// How far steps go beyond what is free, in offsets: a distance of 0 may be no surface.
+const BEYOND: f32 = 0.025;
 const RAY_STEPS: u32 = 600u;
 /// What `task.stage` may ask for: that ∫ max(cos θ, 0) dω over what is seen of the light stands where else V₀ does.
 const WITH_IRRADIANCE: u32 = 1u;
@@ -63,8 +63,8 @@ fn visibility(receiver: Receiver, light: Light, index: u32) -> Visibility {
         let f = scene_distance(o + t * w) / view.eye.w;
         evaluations += 1u;
         steps += 1u;
-        t += f;
-        if f < CONTACT * receiver.p.w || steps >= RAY_STEPS {
+        t += f + BEYOND * receiver.p.w;
+        if f < 0.0 || steps >= RAY_STEPS {
             weight = 0.0;
             brings = 0.0;
             t = reach;

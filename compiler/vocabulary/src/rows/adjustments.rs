@@ -1,6 +1,7 @@
 //! Adjustments of distances.
 
 use super::{anywhere, length, number, size};
+use crate::form::Form;
 use crate::table::{Class, Kind, Parameter, Row};
 
 /// Growing.
@@ -45,6 +46,7 @@ const fn adjustment(
         class,
         module: false,
         round: false,
+        form: &Form::UNKNOWN,
         bounds: anywhere,
         manual,
         example: "",

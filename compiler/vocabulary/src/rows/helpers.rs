@@ -1,6 +1,7 @@
 //! Building blocks that the field calls by name. Their parameters are all their arguments.
 
 use super::{angle, anywhere, number, vec2, vec3};
+use crate::form::Form;
 use crate::table::{Class, Kind, Parameter, Row};
 
 /// How many steps of [`JOINT_STEP`] bring a joint of so many operands within a hundred thousandth of its radius, for
@@ -176,6 +177,7 @@ const fn helper(function: &'static str, parameters: &'static [Parameter], manual
         class: Class::Bound,
         module: false,
         round: false,
+        form: &Form::UNKNOWN,
         bounds: anywhere,
         manual,
         example: "",

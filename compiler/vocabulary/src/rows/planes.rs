@@ -2,6 +2,7 @@
 
 use super::{angle, anywhere, around_zero, number, size, vec2};
 use crate::bounds::Bounds;
+use crate::form::Form;
 use crate::interval::Interval;
 use crate::table::{Class, Kind, Row};
 
@@ -14,6 +15,7 @@ pub static CIRCLE: Row = Row {
     class: Class::Exact,
     module: false,
     round: true,
+    form: &Form::DISC,
     bounds: |a| flat(a[0].max, a[0].max),
     manual: "The disc around the origin.",
     example: "circle(r = 10);",
@@ -28,6 +30,7 @@ pub static RECTANGLE: Row = Row {
     class: Class::Exact,
     module: false,
     round: false,
+    form: &Form::RECTANGLE,
     bounds: |a| flat(a[0].max, a[1].max),
     manual: "The rectangle around the origin with its edges along the axes.",
     example: "",
@@ -45,6 +48,7 @@ pub static NGON: Row = Row {
     class: Class::Exact,
     module: false,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: |a| flat(a[0].max, a[0].max),
     manual: "The regular polygon around the origin, its first corner on the x axis.",
     example: "",
@@ -59,6 +63,7 @@ pub static ELLIPSE: Row = Row {
     class: Class::ExactOutside,
     module: true,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: |a| flat(a[0].max, a[1].max),
     manual: "The disc stretched along the axes.",
     example: "linear_extrude(5) ellipse(radii = [20, 10]);",
@@ -73,6 +78,7 @@ pub static RING: Row = Row {
     class: Class::Exact,
     module: true,
     round: true,
+    form: &Form::RING,
     bounds: |a| flat(a[0].max, a[0].max),
     manual: "The ring between two circles around the origin.",
     example: "linear_extrude(5) ring(outer = 20, inner = 15);",
@@ -91,6 +97,7 @@ pub static STAR: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: |a| flat(a[0].max(a[1]).max, a[0].max(a[1]).max),
     manual: "The star around the origin, its first point on the x axis.",
     example: "linear_extrude(5) star(outer = 20, inner = 9, n = 5);",
@@ -110,6 +117,7 @@ pub static ARC: Row = Row {
     class: Class::ExactOutside,
     module: true,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: |a| flat(a[0].max + 0.5 * a[1].max, a[0].max + 0.5 * a[1].max),
     manual: "The arc around the origin with round ends.",
     example: "linear_extrude(5) arc(r = 20, thickness = 4, start = 30, sweep = 240);",
@@ -128,6 +136,7 @@ pub static PIE: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: |a| flat(a[0].max, a[0].max),
     manual: "The sector of a disc around the origin.",
     example: "linear_extrude(5) pie(r = 20, start = 30, sweep = 300);",
@@ -146,6 +155,7 @@ pub static EGG: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: |a| {
         let reach = a[0].max.max(a[1].max);
         let top = a[0].max.max(a[1].max + a[2].max);
@@ -165,6 +175,7 @@ pub static VESICA: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: |a| flat(a[0].max, a[0].max),
     manual: "The pointed oval that two discs have in common.",
     example: "linear_extrude(5) vesica(r = 20, apart = 20);",
@@ -179,6 +190,7 @@ pub static WEDGE: Row = Row {
     class: Class::Exact,
     module: false,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: anywhere,
     manual: "The endless sector of the plane with its apex at the origin.",
     example: "",

@@ -2,6 +2,7 @@
 //! the bounds of what they are given.
 
 use super::{angle, anywhere, number, size, vec2};
+use crate::form::Form;
 use crate::table::{Class, Kind, Row};
 
 /// A twist about z.
@@ -13,6 +14,7 @@ pub static TWIST: Row = Row {
     class: Class::Bound,
     module: false,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: anywhere,
     manual: "Turns a solid about z in proportion to the height.",
     example: "",
@@ -27,6 +29,7 @@ pub static REVOLVE: Row = Row {
     class: Class::Exact,
     module: false,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: anywhere,
     manual: "Turns a plane shape about z: its x is the distance from the axis, its y the height.",
     example: "",
@@ -41,6 +44,7 @@ pub static REVOLVE_FACETS: Row = Row {
     class: Class::Bound,
     module: false,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: anywhere,
     manual: "Turns a plane shape about z along a regular polygon; its Lipschitz constant is 1 / cos(180° / n).",
     example: "",
@@ -55,6 +59,7 @@ pub static SLICE: Row = Row {
     class: Class::Exact,
     module: false,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: anywhere,
     manual: "Draws a plane shape out along z without end.",
     example: "",
@@ -73,6 +78,7 @@ pub static EXTRUDE: Row = Row {
     class: Class::Bound,
     module: false,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: anywhere,
     manual: "Draws a plane shape out along z, scaled and then turned with the height.",
     example: "",

@@ -2,6 +2,7 @@
 
 use super::{anywhere, around_zero, length, size, vec3};
 use crate::bounds::Bounds;
+use crate::form::Form;
 use crate::interval::Interval;
 use crate::table::{Class, Kind, Parameter, Row, Type, Unit};
 
@@ -14,6 +15,7 @@ pub static SPHERE: Row = Row {
     class: Class::Exact,
     module: false,
     round: true,
+    form: &Form::BALL,
     bounds: |a| Bounds::centred([a[0].max; 3]),
     manual: "The ball around the origin.",
     example: "sphere(r = 10);",
@@ -28,6 +30,7 @@ pub static BOX: Row = Row {
     class: Class::Exact,
     module: false,
     round: false,
+    form: &Form::BOX,
     bounds: |a| Bounds::centred([a[0].max, a[1].max, a[2].max]),
     manual: "The box around the origin with its edges along the axes.",
     example: "",
@@ -42,6 +45,7 @@ pub static CYLINDER: Row = Row {
     class: Class::Exact,
     module: false,
     round: false,
+    form: &Form::CYLINDER,
     bounds: |a| upright(a[0], around_zero(a[1])),
     manual: "The round cylinder about z, as high above the origin as below.",
     example: "cylinder(r = 5, h = 20, center = true);",
@@ -60,6 +64,7 @@ pub static CONE: Row = Row {
     class: Class::Exact,
     module: false,
     round: false,
+    form: &Form::CONE,
     bounds: |a| upright(a[0].max(a[1]), around_zero(a[2])),
     manual: "The cone or frustum about z, as high above the origin as below.",
     example: "",
@@ -77,6 +82,7 @@ pub static TORUS: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::TORUS,
     bounds: |a| upright(a[0] + a[1], around_zero(a[1])),
     manual: "The ring with a round profile that lies around z.",
     example: "torus(major = 20, minor = 5);",
@@ -91,6 +97,7 @@ pub static CAPSULE: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::CAPSULE,
     bounds: |a| upright(a[1], Interval { min: -a[1].max, max: (a[0] + a[1]).max }),
     manual: "The cylinder with half balls as ends, from the origin up z.",
     example: "capsule(h = 20, r = 4);",
@@ -109,6 +116,7 @@ pub static ROUND_CONE: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::ROUND_CONE,
     bounds: |a| {
         let (bottom, top) = (a[0].max, (a[1] + a[2]).max);
         upright(a[0].max(a[1]), Interval { min: (-bottom).min(a[2].min - a[1].max), max: top.max(bottom) })
@@ -126,6 +134,7 @@ pub static ELLIPSOID: Row = Row {
     class: Class::ExactOutside,
     module: true,
     round: false,
+    form: &Form::IN_BOX,
     bounds: |a| Bounds::centred([a[0].max, a[1].max, a[2].max]),
     manual: "The ball stretched along the axes.",
     example: "ellipsoid(radii = [20, 10, 5]);",
@@ -149,6 +158,7 @@ pub static HALF_SPACE: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: half_space,
     manual: "Everything to one side of a plane.",
     example: "intersection() { sphere(10); half_space(normal = [0, 0, 1], offset = 4); }",
@@ -166,6 +176,7 @@ pub static BOX_FRAME: Row = Row {
     class: Class::ExactOutside,
     module: true,
     round: false,
+    form: &Form::IN_BOX,
     bounds: |a| Bounds::centred([a[0].max, a[1].max, a[2].max]),
     manual: "The twelve edges of a box, as bars of square profile.",
     example: "box_frame(half_size = [15, 10, 10], thickness = 2);",
@@ -180,6 +191,7 @@ pub static OCTAHEDRON: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::OCTAHEDRON,
     bounds: |a| Bounds::centred([a[0].max; 3]),
     manual: "The regular octahedron with its corners on the axes.",
     example: "octahedron(r = 10);",
@@ -194,6 +206,7 @@ pub static DOME: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::DOME,
     bounds: |a| {
         let cut = a[1].min.max(-a[0].max);
         upright(a[0], Interval { min: cut.min(a[0].max), max: a[0].max })
@@ -211,6 +224,7 @@ pub static TETRAHEDRON: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::TETRAHEDRON,
     bounds: |a| Bounds::centred([a[0].max; 3]),
     manual: "The regular tetrahedron, a corner in the direction [1, 1, 1].",
     example: "tetrahedron(r = 10);",
@@ -225,6 +239,7 @@ pub static DODECAHEDRON: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::DODECAHEDRON,
     bounds: |a| Bounds::centred([a[0].max; 3]),
     manual: "The regular dodecahedron, its edges across the axes.",
     example: "dodecahedron(r = 10);",
@@ -239,6 +254,7 @@ pub static ICOSAHEDRON: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::ICOSAHEDRON,
     bounds: |a| Bounds::centred([a[0].max; 3]),
     manual: "The regular icosahedron, its edges across the axes.",
     example: "icosahedron(r = 10);",
@@ -257,6 +273,7 @@ pub static LINK: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::LINK,
     bounds: |a| {
         let across = (a[1] + a[2]).max;
         Bounds::centred([across, across + a[0].max, a[2].max])
@@ -274,6 +291,7 @@ pub static PYRAMID: Row = Row {
     class: Class::Exact,
     module: true,
     round: false,
+    form: &Form::PYRAMID,
     bounds: |a| {
         let half = around_zero(Interval::point(0.5 * a[0].max));
         Bounds::new(half, half, Interval { min: 0.0, max: a[1].max })
@@ -294,6 +312,7 @@ pub static GYROID: Row = Row {
     class: Class::Bound,
     module: true,
     round: false,
+    form: &Form::UNKNOWN,
     bounds: anywhere,
     manual: "An endless wall that curves through all of space; intersect it with a solid.",
     example: "intersection() { sphere(20); gyroid(period = 15, thickness = 1.5); }",
