@@ -33,7 +33,7 @@ impl Lowering {
                     Some(joint) => self.joined(Operation::Union, operands, joint, below, span),
                     None => {
                         let flat = self.flattened(operands, Operation::Union);
-                        let merged = self.merged(flat, below);
+                        let merged = self.merged(flat, below, span);
                         self.union(merged, None, span)
                     }
                 }
@@ -91,7 +91,7 @@ impl Lowering {
         let meets = |id: &NodeId| !self.builder.extent(*id).within(reach).intersection(&kept).is_empty();
         let subtrahends: Vec<NodeId> = subtrahends.into_iter().filter(meets).collect();
         let subtrahends = match joint {
-            None => self.merged(subtrahends, context),
+            None => self.merged(subtrahends, context, span),
             Some(_) => subtrahends,
         };
         self.cut(minuend, subtrahends, joint.as_ref(), context, span)

@@ -5,7 +5,8 @@
 //! that can't matter is therefore moved out of the way. A cut is A \ B = A \ (B ∪ Z), if Z has at most its surface in common
 //! with A; so the face of a cutter that A doesn't cross is moved out of A. Operands of a joint that all lie within C and
 //! have faces in it come to C ∩ (A′ ∪ᵣ B′), where those faces are moved out. Of a union A ∪ B = (A ∪ Z) ∪ B, if Z lies in
-//! B; so a face that touches B's is moved into B. And A \ B is A, and A ∩ B nothing, if a plane parts them.
+//! B; so a face that touches B's is moved into B, or else both are drawn out across it, and what they have in common then
+//! joins them. And A \ B is A, and A ∩ B nothing, if a plane parts them.
 //! Changes: The shape's row tells its faces and how they move; what has none (a surface that is bent, or turns with a live
 //! number) stays as it is. A cut distributes over a union where that opens a face.
 //! Practice: Comparing is linear in live numbers, so that equal heights are equal for all values. The tolerance is a
@@ -251,22 +252,34 @@ impl Lowering {
         common
     }
 
-    /// The operands of a union, with faces that touch another operand moved into it. Those that become equal are one.
-    pub(super) fn merged(&mut self, operands: Vec<NodeId>, context: &Context) -> Vec<NodeId> {
+    /// The operands of a union, with faces that touch another operand moved into it, or with a bridge across them. Those
+    /// that become equal are one.
+    pub(super) fn merged(&mut self, operands: Vec<NodeId>, context: &Context, span: Span) -> Vec<NodeId> {
         if operands.len() > MOST_TOUCHING {
             return operands;
         }
         let frame = context.base;
         let mut parts = operands.clone();
-        let count = parts.len();
-        for (index, other) in (0..count).flat_map(|i| (0..count).map(move |j| (i, j))) {
-            if index != other && self.look_alike(operands[index], operands[other]) {
-                let tolerance = self.tolerance(operands[other], frame);
-                parts[index] = self.moved_into(parts[index], operands[other], tolerance, frame);
+        let mut bridges = Vec::new();
+        for (i, j) in (0..operands.len()).flat_map(|j| (0..j).map(move |i| (i, j))) {
+            let pair = [operands[i], operands[j]];
+            if !self.look_alike(pair) {
+                continue;
+            }
+            let tolerance = pair.map(|id| self.tolerance(id, frame)).into_iter().fold(f64::INFINITY, f64::min);
+            for face in self.touching_faces(pair, tolerance, frame) {
+                let back = face.flipped();
+                let forth = self.moved_into(parts[i], pair[1], &face, tolerance, frame);
+                let back_moved = self.moved_into(parts[j], pair[0], &back, tolerance, frame);
+                if forth.is_none() && back_moved.is_none() {
+                    bridges.extend(self.bridge(pair, &face, tolerance, frame, span));
+                }
+                parts[i] = forth.unwrap_or(parts[i]);
+                parts[j] = back_moved.unwrap_or(parts[j]);
             }
         }
         let mut distinct: Vec<NodeId> = Vec::with_capacity(parts.len());
-        parts.into_iter().for_each(|part| {
+        parts.into_iter().chain(bridges).for_each(|part| {
             if !distinct.contains(&part) {
                 distinct.push(part);
             }
@@ -274,51 +287,79 @@ impl Lowering {
         distinct
     }
 
-    /// Whether nobody sees which of two nodes a surface is of.
-    fn look_alike(&self, a: NodeId, b: NodeId) -> bool {
-        match (self.builder.get(a), self.builder.get(b)) {
-            (Node::Paint(a, _), Node::Paint(b, _)) => a == b,
-            (Node::Paint(..), _) | (_, Node::Paint(..)) => false,
+    /// Whether it can't be seen which of two nodes a surface is of.
+    fn look_alike(&self, pair: [NodeId; 2]) -> bool {
+        match pair.map(|id| self.builder.get(id)) {
+            [Node::Paint(a, _), Node::Paint(b, _)] => a == b,
+            [Node::Paint(..), _] | [_, Node::Paint(..)] => false,
             _ => true,
         }
     }
 
-    /// A node with its faces that touch another's from outside moved into that, as far as it reaches.
-    fn moved_into(&mut self, node: NodeId, other: NodeId, tolerance: f64, frame: PointId) -> NodeId {
+    /// The flat faces of the first node that touch one of the second from outside.
+    fn touching_faces(&self, [node, other]: [NodeId; 2], tolerance: f64, frame: PointId) -> Vec<Face> {
         let query = Query { builder: &self.builder, frame, tolerance };
         let near = |id: NodeId| self.builder.extent_at(id, frame).bounds.inflate(tolerance);
         if near(node).intersection(&near(other)).is_empty() {
-            return node;
+            return Vec::new();
         }
         let against = query.faces(other).list;
         let is_touching = |face: &Face| {
-            matches!(face, Face::Flat { .. }) && against.iter().any(|other| other.flipped().is(face, tolerance))
+            matches!(face, Face::Flat { .. })
+                && against.iter().any(|other| other.flipped().is(face, tolerance))
+                && query.share_area(node, other, face)
         };
-        let touching: Vec<(Face, f64)> = query
-            .faces(node)
-            .list
-            .into_iter()
-            .filter(is_touching)
-            .filter_map(|face| {
-                let depth = -query.gap(other, &face);
-                (depth.is_finite() && depth > tolerance).then_some((face, depth))
-            })
-            .collect();
-        let mut moved = node;
-        for (face, depth) in touching {
-            for part in SHORTER {
-                let Some(grown) = self.grown(moved, Move { face: &face, frame, by: part * depth, tolerance }) else {
-                    break;
-                };
-                let query = Query { builder: &self.builder, frame, tolerance };
-                let is_held = |added: &NodeId| query.body(*added).is_some_and(|body| query.holds(other, &body));
-                if grown.added.iter().all(is_held) {
-                    moved = grown.node;
-                    break;
-                }
+        let mut touching: Vec<Face> = Vec::new();
+        for face in query.faces(node).list {
+            if is_touching(&face) && !touching.iter().any(|known| known.is(&face, tolerance)) {
+                touching.push(face);
             }
         }
-        moved
+        touching
+    }
+
+    /// A node with a face that touches another node moved into that, as far as it reaches; none if it would come out
+    /// elsewhere.
+    fn moved_into(
+        &mut self,
+        node: NodeId,
+        other: NodeId,
+        face: &Face,
+        tolerance: f64,
+        frame: PointId,
+    ) -> Option<NodeId> {
+        let query = Query { builder: &self.builder, frame, tolerance };
+        let depth = -query.gap(other, face);
+        if !(depth.is_finite() && depth > tolerance) {
+            return None;
+        }
+        for part in SHORTER {
+            let grown = self.grown(node, Move { face, frame, by: part * depth, tolerance })?;
+            let query = Query { builder: &self.builder, frame, tolerance };
+            let is_held = |added: &NodeId| query.body(*added).is_some_and(|body| query.holds(other, &body));
+            if grown.added.iter().all(is_held) {
+                return Some(grown.node);
+            }
+        }
+        None
+    }
+
+    /// What lies to both sides of where two nodes touch, within both of them: what both come to have in common when both
+    /// are drawn out across the face.
+    fn bridge(
+        &mut self,
+        pair: [NodeId; 2],
+        face: &Face,
+        tolerance: f64,
+        frame: PointId,
+        span: Span,
+    ) -> Option<NodeId> {
+        let dimension = self.builder.dimension(frame);
+        let depths = pair.map(|id| depth(&self.builder.extent_at(id, frame).bounds, dimension));
+        let by = depths[0]?.min(depths[1]?);
+        let forth = self.grown(pair[0], Move { face, frame, by, tolerance })?;
+        let back = self.grown(pair[1], Move { face: &face.flipped(), frame, by, tolerance })?;
+        self.intersection(vec![forth.node, back.node], None, span)
     }
 
     /// The inner side of a face as a node.

@@ -173,7 +173,10 @@ impl Lowering {
             );
         }
         if let Some(round) = row.form.rounds.iter().find(|round| local.is_round(round, arguments)) {
-            let whole = moved(arguments, round.growth, local.by, &weighted(round.radius, arguments))?;
+            let radius = weighted(round.radius, arguments);
+            // A hollow that is filled stays one.
+            let most = if round.is_hollow { MOST_SHRINKING * radius.range().min } else { f64::INFINITY };
+            let whole = moved(arguments, round.growth, local.by.min(most), &radius)?;
             let whole = Node::Shape(row, whole.arguments, point);
             // What a hollow is filled by lies within the shape around it.
             let grows = local.by > 0.0 && !round.is_hollow;
@@ -294,12 +297,7 @@ fn moved(arguments: &[Scalar], growth: Growth, by: f64, offset: &Linear) -> Opti
                 return None;
             }
             let mut arguments = arguments.to_vec();
-            let mut argument = arguments[index].clone() + Scalar::from(factor * by);
-            if factor < 0.0 && by > 0.0 && offset.range().min > 0.0 {
-                // A hollow that is filled stays one.
-                argument = argument.max(arguments[index].clone() * Scalar::from(MOST_SHRINKING));
-            }
-            arguments[index] = argument;
+            arguments[index] = arguments[index].clone() + Scalar::from(factor * by);
             Some(Moved { arguments, shift: shift * by, by })
         }
         Growth::Constant(grow) => {
