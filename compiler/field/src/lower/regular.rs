@@ -58,6 +58,9 @@ impl Lowering {
         context: &Context,
         span: Span,
     ) -> Option<NodeId> {
+        if self.is_covered(solid, &cutters, context) {
+            return None;
+        }
         let reach = joint.map_or(0.0, |joint| joint.radius.range().max);
         let mut closed = Vec::new();
         let opened = self.opened(solid, &cutters, reach, context, &mut closed);
@@ -76,6 +79,15 @@ impl Lowering {
         }
         self.say_closed(&closed);
         self.without(solid, opened, joint, span)
+    }
+
+    /// Whether a cutter leaves nothing of a solid.
+    fn is_covered(&self, solid: NodeId, cutters: &[NodeId], context: &Context) -> bool {
+        let tolerance = self.tolerance(solid, context.base);
+        let query = Query { builder: &self.builder, frame: context.base, tolerance };
+        let body = query.body(solid);
+        let covers = |cutter: &NodeId| body.as_ref().is_some_and(|body| query.holds(*cutter, body));
+        cutters.iter().any(|cutter| *cutter == solid || covers(cutter))
     }
 
     /// The union of parts, each without cutters of its own. Parts with the same cutters stay together.
@@ -296,7 +308,7 @@ impl Lowering {
         }
     }
 
-    /// The flat faces of the first node that touch one of the second from outside.
+    /// The faces of the first node that touch one of the second from outside.
     fn touching_faces(&self, [node, other]: [NodeId; 2], tolerance: f64, frame: PointId) -> Vec<Face> {
         let query = Query { builder: &self.builder, frame, tolerance };
         let near = |id: NodeId| self.builder.extent_at(id, frame).bounds.inflate(tolerance);
@@ -305,9 +317,7 @@ impl Lowering {
         }
         let against = query.faces(other).list;
         let is_touching = |face: &Face| {
-            matches!(face, Face::Flat { .. })
-                && against.iter().any(|other| other.flipped().is(face, tolerance))
-                && query.share_area(node, other, face)
+            against.iter().any(|other| other.flipped().is(face, tolerance)) && query.share_area(node, other, face)
         };
         let mut touching: Vec<Face> = Vec::new();
         for face in query.faces(node).list {
@@ -329,7 +339,10 @@ impl Lowering {
         frame: PointId,
     ) -> Option<NodeId> {
         let query = Query { builder: &self.builder, frame, tolerance };
-        let depth = -query.gap(other, face);
+        let depth = match face {
+            Face::Round { radius, is_hollow: true, .. } => radius.range().min,
+            _ => -query.gap(other, face),
+        };
         if !(depth.is_finite() && depth > tolerance) {
             return None;
         }
@@ -346,14 +359,7 @@ impl Lowering {
 
     /// What lies to both sides of where two nodes touch, within both of them: what both come to have in common when both
     /// are drawn out across the face.
-    fn bridge(
-        &mut self,
-        pair: [NodeId; 2],
-        face: &Face,
-        tolerance: f64,
-        frame: PointId,
-        span: Span,
-    ) -> Option<NodeId> {
+    fn bridge(&mut self, pair: [NodeId; 2], face: &Face, tolerance: f64, frame: PointId, span: Span) -> Option<NodeId> {
         let dimension = self.builder.dimension(frame);
         let depths = pair.map(|id| depth(&self.builder.extent_at(id, frame).bounds, dimension));
         let by = depths[0]?.min(depths[1]?);
@@ -433,14 +439,6 @@ impl Lowering {
                 .with_hint("it is drawn right, but slowly: let what is taken away stand out by a little");
             self.say(diagnostic);
         }
-    }
-}
-
-impl Body {
-    /// The same body, which is known to lie beyond a face.
-    fn beyond(mut self, face: Face) -> Body {
-        self.beyond.push(face);
-        self
     }
 }
 

@@ -138,7 +138,11 @@ pub(super) fn faces(builder: &Builder, node: NodeId, frame: PointId) -> Faces {
             let Some((point, local)) = leaf_faces(leaf) else { return Faces::default() };
             match Place::of(builder, point, frame) {
                 Some(Place { map, turned: None }) => placed(local, &map),
-                Some(Place { map, turned: Some(turned) }) => turned_faces(placed(local, &map), &turned),
+                Some(Place { map, turned: Some(turned) }) => {
+                    let profile = leaf_discs(leaf).map(|(_, discs)| discs).unwrap_or_default();
+                    let profile: Option<Vec<Disc>> = profile.iter().map(|disc| placed_disc(disc, &map)).collect();
+                    turned_faces(placed(local, &map), &profile.unwrap_or_default(), &turned)
+                }
                 None => Faces::default(),
             }
         }
@@ -214,11 +218,17 @@ fn placed(faces: Faces, map: &Map) -> Faces {
     Faces { list, are_whole: all_known }
 }
 
-/// The faces of a profile's edges across and along the axis that it is turned about.
-fn turned_faces(profile: Faces, turned: &Turned) -> Faces {
+/// The faces of a profile's edges across and along the axis that it is turned about; of those that face the axis, only the
+/// innermost.
+fn turned_faces(profile: Faces, discs: &[Disc], turned: &Turned) -> Faces {
     let mut are_whole = profile.are_whole;
     let mut list = Vec::new();
+    let is_innermost = |face: &Face| !discs.is_empty() && discs.iter().all(|disc| face.gap(disc) >= -SAME);
     for face in profile.list {
+        if matches!(&face, Face::Flat { normal: [x, ..], .. } if *x < -SAME) && !is_innermost(&face) {
+            are_whole = false;
+            continue;
+        }
         let turned_face = match face {
             Face::Flat { normal: [x, y, _], offset } if x.abs() < SAME => {
                 Some(Face::Flat { normal: [0.0, 0.0, y.signum()], offset })

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use chiaro_solid::{Affine, Scalar};
 use chiaro_vocabulary::form::{Flat, Growth, Round};
-use chiaro_vocabulary::{Row, rows};
+use chiaro_vocabulary::{Class, Row, rows};
 
 use super::super::Lowering;
 use super::face::{Face, weighted};
@@ -12,7 +12,7 @@ use super::linear::Linear;
 use super::outline;
 use super::place::{Map, Place, SAME};
 use super::polytope;
-use crate::graph::{Node, NodeId, Point, PointId};
+use crate::graph::{Node, NodeId, Operation, Point, PointId};
 use crate::hull::{Vec3, scale};
 
 /// What is left of a face's thickness at the least when it is moved inwards.
@@ -53,15 +53,16 @@ impl Lowering {
                 Some(Grown { node, added })
             }
             Node::Boolean(operation, joint, children) => {
+                let grown: Vec<Option<Grown>> = children.iter().map(|child| self.grown(*child, way)).collect();
+                let parts: Vec<NodeId> = grown
+                    .iter()
+                    .zip(&children)
+                    .map(|(grown, child)| grown.as_ref().map_or(*child, |g| g.node))
+                    .collect();
                 let mut added = Vec::new();
-                let mut parts = Vec::with_capacity(children.len());
-                for child in children {
-                    match self.grown(child, way) {
-                        Some(grown) => {
-                            added.extend(grown.added);
-                            parts.push(grown.node);
-                        }
-                        None => parts.push(child),
+                for (index, grown) in grown.into_iter().enumerate() {
+                    for node in grown.into_iter().flat_map(|grown| grown.added) {
+                        added.push(if operation == Operation::Union { node } else { self.within(node, &parts, index) });
                     }
                 }
                 if added.is_empty() {
@@ -74,6 +75,18 @@ impl Lowering {
             Node::Extrude(height, child, point) => self.grown_extrusion((&height, child, point), node, way),
             leaf => self.grown_leaf(&leaf, node, way),
         }
+    }
+
+    /// What was added to one operand of an intersection, within the others that have an end.
+    fn within(&mut self, added: NodeId, operands: &[NodeId], index: usize) -> NodeId {
+        let others = operands.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, id)| *id);
+        let others = others.filter(|id| !matches!(self.builder.get(*id), Node::Negate(_)));
+        let parts: Vec<NodeId> = std::iter::once(added).chain(others).collect();
+        if parts.len() < 2 {
+            return added;
+        }
+        let (span, facts) = (self.builder.span(added), *self.builder.facts(added));
+        self.builder.node(Node::Boolean(Operation::Intersection, None, parts), span, Class::Bound, facts.lipschitz)
     }
 
     fn grown_extrusion(
@@ -178,9 +191,13 @@ impl Lowering {
             let most = if round.is_hollow { MOST_SHRINKING * radius.range().min } else { f64::INFINITY };
             let whole = moved(arguments, round.growth, local.by.min(most), &radius)?;
             let whole = Node::Shape(row, whole.arguments, point);
-            // What a hollow is filled by lies within the shape around it.
-            let grows = local.by > 0.0 && !round.is_hollow;
-            let added = if grows { whole.clone() } else { Node::Shape(row, arguments.to_vec(), point) };
+            let added = if round.is_hollow {
+                Node::Shape(&rows::CIRCLE, vec![radius.number()], point)
+            } else if local.by > 0.0 {
+                whole.clone()
+            } else {
+                Node::Shape(row, arguments.to_vec(), point)
+            };
             return Some(self.replaced(node, [whole, added]));
         }
         let flat = row.form.flats.iter().find(|flat| local.is_at(flat.normal, &weighted(flat.offset, arguments)))?;

@@ -17,10 +17,10 @@ pub(super) struct Query<'a> {
     pub(super) tolerance: f64,
 }
 
-/// A convex body: what lies beyond some faces, within the hull of some discs.
+/// What lies beyond some faces, and within the hulls of some discs each.
 pub(super) struct Body {
-    pub(super) beyond: Vec<Face>,
-    pub(super) discs: Vec<Disc>,
+    beyond: Vec<Face>,
+    hulls: Vec<Vec<Disc>>,
 }
 
 impl Query<'_> {
@@ -29,9 +29,14 @@ impl Query<'_> {
         face::faces(self.builder, node, self.frame)
     }
 
-    /// The hull of a node; none if it has no end.
+    /// Hulls around a node, of an intersection one for each operand; none if it has no end.
     pub(super) fn body(&self, node: NodeId) -> Option<Body> {
-        Some(Body { beyond: Vec::new(), discs: face::discs(self.builder, node, self.frame)? })
+        let hull = |id: &NodeId| face::discs(self.builder, *id, self.frame);
+        let hulls: Vec<Vec<Disc>> = match self.builder.get(node) {
+            Node::Boolean(Operation::Intersection, _, children) => children.iter().filter_map(hull).collect(),
+            _ => hull(&node).into_iter().collect(),
+        };
+        (!hulls.is_empty()).then_some(Body { beyond: Vec::new(), hulls })
     }
 
     /// How far a node keeps from a face on its inner side, at the least; negative if it may cross it.
@@ -89,16 +94,12 @@ impl Query<'_> {
 
     /// Whether a face of a node, or a side of its box, parts it from a body.
     fn is_beyond(&self, body: &Body, node: NodeId) -> bool {
-        let sides = self.box_faces(node).into_iter().chain(self.convex_faces(node));
-        sides
-            .filter(|face| matches!(face, Face::Flat { .. }))
-            .any(|face| least_gap(&body.discs, &face.flipped()) >= -self.tolerance)
-    }
-
-    /// The faces of what is not a Boolean, so that all of it lies within each.
-    fn convex_faces(&self, node: NodeId) -> Vec<Face> {
-        let faces = self.faces(node).list;
-        faces.into_iter().filter(|face| self.is_within(node, face)).collect()
+        let parts = |face: &Face| {
+            // What is not a Boolean lies around all its hollow faces, and within some of the others.
+            let is_inner = matches!(face, Face::Round { is_hollow: true, .. }) || self.is_within(node, face);
+            is_inner && body.gap(&face.flipped()) >= -self.tolerance
+        };
+        self.box_faces(node).into_iter().chain(self.faces(node).list).any(|face| parts(&face))
     }
 
     /// The planes of a node's box that have an end.
@@ -129,9 +130,22 @@ impl Query<'_> {
             Node::Negate(child) => self.is_apart(body, *child),
             _ => {
                 let faces = self.faces(node);
-                faces.are_whole && faces.list.iter().all(|face| least_gap(&body.discs, face) >= -self.tolerance)
+                faces.are_whole && faces.list.iter().all(|face| body.gap(face) >= -self.tolerance)
             }
         }
+    }
+}
+
+impl Body {
+    /// How far the body keeps from a face on its inner side, at the least.
+    fn gap(&self, face: &Face) -> f64 {
+        self.hulls.iter().map(|discs| least_gap(discs, face)).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The same body, which is known to lie beyond a face.
+    pub(super) fn beyond(mut self, face: Face) -> Body {
+        self.beyond.push(face);
+        self
     }
 }
 
