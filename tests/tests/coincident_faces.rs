@@ -5,10 +5,12 @@
 //! the same wherever the twin's surface is not near, and where the twin is clear of its surface on the face itself, so has
 //! the field to be.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
 
 use chiaro_compiler::field::Evaluator;
 use chiaro_compiler::{Options, Scene, compile};
+use chiaro_mesh::{Detail, GraphField, model};
 use chiaro_tests::MemoryWorld;
 use chiaro_tests::sampling::Random;
 
@@ -187,6 +189,66 @@ fn grooves_in_round_sides_are_open() {
         }
     }
     assert!(looked_at > 2_000, "{looked_at} points on sides");
+}
+
+/// Scenes with coincident faces and their volumes in cubic millimetres.
+const VOLUMES: &[(&str, f64)] = &[
+    ("difference() { cube([20, 20, 6]); translate([4, 4, 2]) cube([12, 12, 4]); }", 1824.0),
+    ("difference() { cube([20, 20, 6]); translate([10, 10, 0]) cylinder(h = 6, r = 6); }", 2400.0 - 216.0 * PI),
+    ("difference() { cube([20, 20, 6]); translate([0, 8, 3]) cube([20, 4, 3]); }", 2160.0),
+    ("difference() { cube([20, 20, 6]); translate([16, 0, 0]) cube([4, 4, 6]); }", 2304.0),
+    ("difference() { cylinder(h = 10, r = 10); translate([0, 0, 5]) cylinder(h = 5, r = 5); }", 875.0 * PI),
+    (
+        "difference() { cylinder(h = 10, r = 10); difference() { translate([0, 0, 4]) cylinder(h = 2, r = 10); \
+         cylinder(h = 10, r = 8); } }",
+        928.0 * PI,
+    ),
+    ("difference() { cylinder(h = 10, r = 10); cylinder(h = 10, r1 = 3, r2 = 6); }", (1000.0 - 210.0) * PI),
+    ("difference() { cube(10); rotate([0, 90, 0]) cylinder(h = 10, r = 4); }", 1000.0 - 40.0 * PI),
+    ("difference() { translate([-10, -10, 0]) cube([20, 20, 12]); pyramid(base = 12, h = 8); }", 4800.0 - 384.0),
+    (
+        "difference() { sphere(10); intersection() { sphere(10); translate([0, -20, -20]) cube(40); } }",
+        2000.0 / 3.0 * PI,
+    ),
+    ("linear_extrude(5) difference() { square(20); translate([5, 0]) square([10, 8]); }", 1600.0),
+    ("linear_extrude(5) difference() { circle(10); translate([-10, 0]) square([20, 10]); }", 250.0 * PI),
+    ("rotate_extrude() difference() { square([10, 10]); translate([6, 0]) square([4, 10]); }", 360.0 * PI),
+    ("cube(10); translate([10, 0, 0]) cube(10); translate([0, 10, 0]) cube([20, 3, 10]);", 2600.0),
+    ("cube(10); translate([3, 3, 10]) cylinder(h = 5, r = 3);", 1000.0 + 45.0 * PI),
+    ("cylinder(h = 5, r = 6); translate([0, 0, 5]) cylinder(h = 5, r1 = 6, r2 = 2);", 180.0 * PI + 260.0 / 3.0 * PI),
+    (
+        "difference() { union() { cube([20, 20, 5]); translate([0, 10, 5]) cube([20, 10, 5]); } translate([8, 0, 2]) cube([4, 20, 3]); }",
+        2760.0,
+    ),
+    ("intersection() { cube(10); cube([10, 10, 4]); translate([0, 0, -2]) cylinder(h = 20, r = 30); }", 400.0),
+    (
+        "difference() { cube(12); translate([6, 6, 6]) cylinder(h = 6, r = 3); translate([6, 6, 0]) cylinder(h = 6, r = 1); }",
+        1728.0 - 60.0 * PI,
+    ),
+    (
+        "rotate([20, 30, 40]) difference() { cube([20, 10, 10]); translate([5, 0, 5]) cube([10, 10, 5]); cube([5, 5, 10]); }",
+        1250.0,
+    ),
+];
+
+#[test]
+fn meshes_have_the_volume_of_the_set() {
+    for (text, expected) in VOLUMES {
+        let scene = field(text).scene;
+        let graph = scene.picture();
+        let found = GraphField::new(&graph, &[]);
+        let detail = Detail { tolerance: None, resolution: None };
+        let model = model(&found, &detail, &mut |_| ControlFlow::Continue(())).unwrap();
+        let volume: f64 = (0..model.mesh.triangles.len())
+            .map(|index| {
+                let [a, b, c] = model.mesh.corners(index);
+                let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+                (0..3).map(|i| a[i] * cross[i]).sum::<f64>() / 6.0
+            })
+            .sum();
+        assert!((volume - expected).abs() < 1e-3 * expected, "{volume} instead of {expected}: {text}");
+        assert!(!model.report.misses_parts, "nothing is missing: {text}");
+    }
 }
 
 /// Calls `check` with every pair of shapes.
