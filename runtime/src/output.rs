@@ -1,11 +1,12 @@
 //! Where results go: files, or standard output.
 
-use std::io::{Write, stdout};
+use std::io::{IsTerminal, Write, stdout};
 use std::path::Path;
 
 use anyhow::{Context, Result};
 
 use crate::files;
+use crate::shown::shown;
 use crate::terminal::STANDARD;
 
 /// Whether a path on the command line stands for standard output. By its own name too: opened by that, it would be another one,
@@ -20,6 +21,14 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
         return to_standard(bytes);
     }
     files::write(path, bytes)
+}
+
+/// Writes a text to standard output. A terminal shows it as it shows messages; what reads a pipe gets the text itself.
+pub(crate) fn text(text: &str) -> Result<()> {
+    match stdout().is_terminal() {
+        true => to_standard(shown(text).as_bytes()),
+        false => to_standard(text.as_bytes()),
+    }
 }
 
 /// Writes to standard output.

@@ -80,10 +80,7 @@ fn messages_name_the_file_and_nothing_else() {
     fs::write(folder.path("f"), "").unwrap();
     let (output, file) = (folder.path("f/out"), folder.path("f/out/a"));
     let error = write_folder(&output, &[(&file, b"1")]).unwrap_err();
-    assert_eq!(
-        format!("{error:#}"),
-        format!("cannot write {}: what should be a folder is a file", output.display())
-    );
+    assert_eq!(format!("{error:#}"), format!("cannot write {}: what should be a folder is a file", output.display()));
 }
 
 #[cfg(unix)]

@@ -29,6 +29,6 @@ pub(crate) fn run(arguments: &Dump, global: &Global) -> Result<ExitCode> {
             None => return Ok(ExitCode::FAILURE),
         },
     };
-    output::to_standard(text.as_bytes())?;
+    output::text(&text)?;
     Ok(if compilation.has_errors() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }

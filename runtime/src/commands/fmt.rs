@@ -41,7 +41,7 @@ fn rewrite(file: &Path, text: String, global: &Global) -> Result<bool> {
     }
     let formatted = format(&text);
     if file == Path::new(STANDARD) {
-        output::to_standard(formatted.as_bytes())?;
+        output::text(&formatted)?;
     } else if formatted != text {
         files::write(file, formatted.as_bytes())?;
         terminal::note(global, &format!("{} formatted", file.display()));

@@ -49,7 +49,9 @@ fn refuse(occupied: &Path, force: bool) -> Result<()> {
 fn alone(files: Vec<File>) -> Result<Vec<u8>> {
     match <[File; 1]>::try_from(files) {
         Ok([file]) => Ok(file.bytes),
-        Err(files) => bail!("this target is {} files, and standard output is one: name a file or a folder", files.len()),
+        Err(files) => {
+            bail!("this target is {} files, and standard output is one: name a file or a folder", files.len())
+        }
     }
 }
 
