@@ -35,7 +35,7 @@ fn collect(statements: &[Statement], definitions: &mut Vec<(Span, String)>) {
     for statement in statements {
         match statement {
             Statement::Module(definition) => {
-                definitions.push((definition.span, chiaro_export::snake_case(&definition.name.node)));
+                definitions.push((definition.span, chiaro_export::snake_case(&definition.name.node, "value")));
                 collect(&definition.body, definitions);
             }
             Statement::Block(statements) => collect(statements, definitions),

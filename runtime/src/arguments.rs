@@ -14,6 +14,12 @@ use crate::view::View;
 pub(crate) struct Arguments {
     #[command(flatten)]
     pub(crate) global: Global,
+
+    /// Read scenes, and what they include, only from this folder and those in it, wherever links lead. May be said several
+    /// times. Without it, a scene may include whatever its user may read.
+    #[arg(long, global = true, value_name = "FOLDER")]
+    pub(crate) jail: Vec<PathBuf>,
+
     #[command(subcommand)]
     pub(crate) command: Command,
 }
@@ -125,7 +131,7 @@ pub(crate) struct Render {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
 
-    /// The picture: .png, or .exr for linear radiance in 32-bit floating point.
+    /// The picture: .png, or .exr for linear radiance in 32-bit floating point. Use - for a .png on standard output.
     #[arg(long, short, value_name = "PICTURE")]
     pub(crate) output: PathBuf,
 
@@ -174,7 +180,8 @@ pub(crate) struct Export {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
 
-    /// The file, or the folder of targets that are several files. Its ending says the format, if --to does not.
+    /// The file, or the folder of targets that are several files. Its ending says the format, if --to does not. Use - for
+    /// standard output, if the target is one file.
     #[arg(long, short, value_name = "FILE")]
     pub(crate) output: PathBuf,
 

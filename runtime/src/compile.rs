@@ -26,7 +26,8 @@ pub(crate) fn compilation(arguments: &SceneArguments, global: &Global) -> Result
         },
         ..Options::default()
     };
-    let compilation = chiaro_compiler::compile(&FileWorld::new(), &arguments.file.to_string_lossy(), &options);
+    let world = FileWorld::new();
+    let compilation = chiaro_compiler::compile(&world, &world.name_of(&arguments.file), &options);
     terminal::report(&compilation.sources, &compilation.diagnostics, global)?;
     Ok(compilation)
 }

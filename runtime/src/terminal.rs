@@ -1,9 +1,11 @@
 //! What the user sees: diagnostics with their source text or as JSON, and progress bars.
 
+use std::fs;
 use std::io::{IsTerminal, Write, stderr};
+use std::path::PathBuf;
 
 use anyhow::Result;
-use chiaro_compiler::syntax::{self, Severity, Sources, Span};
+use chiaro_compiler::syntax::{self, Severity, SourceFile, Sources, Span};
 use codespan_reporting::diagnostic::{Diagnostic, Label, LabelStyle};
 use codespan_reporting::files::SimpleFiles;
 use codespan_reporting::term::{self, termcolor};
@@ -11,6 +13,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
 use crate::arguments::{Global, MessageFormat};
+use crate::shown::{escaped, shown, shown_name, shown_place};
+
+/// What stands for standard input and output on the command line.
+pub(crate) const STANDARD: &str = "-";
 
 /// Writes diagnostics to standard error; with `--quiet`, only the errors.
 pub(crate) fn report(sources: &Sources, diagnostics: &[syntax::Diagnostic], global: &Global) -> Result<()> {
@@ -25,9 +31,10 @@ pub(crate) fn report(sources: &Sources, diagnostics: &[syntax::Diagnostic], glob
 pub(crate) fn fail(error: &anyhow::Error, format: MessageFormat) {
     // Standard error is the last place to complain to: if it is closed, nobody listens.
     let _ = match format {
-        MessageFormat::Human => writeln!(stderr(), "error: {error:#}"),
+        MessageFormat::Human => writeln!(stderr(), "error: {}", shown(&format!("{error:#}"))),
         MessageFormat::Json => {
-            writeln!(stderr(), "{}", json!({ "severity": "error", "message": format!("{error:#}") }))
+            let object = json!({ "severity": "error", "message": format!("{error:#}") });
+            writeln!(stderr(), "{}", escaped(&object.to_string()))
         }
     };
 }
@@ -35,7 +42,7 @@ pub(crate) fn fail(error: &anyhow::Error, format: MessageFormat) {
 /// Writes a line to standard error for people, unless they asked for quiet.
 pub(crate) fn note(global: &Global, text: &str) {
     if !global.quiet && global.message_format == MessageFormat::Human {
-        let _ = writeln!(stderr(), "{text}");
+        let _ = writeln!(stderr(), "{}", shown(text));
     }
 }
 
@@ -46,13 +53,13 @@ pub(crate) fn progress(global: &Global, steps: u64, what: &str) -> ProgressBar {
     }
     let style = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {eta}")
         .unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(steps).with_style(style).with_message(what.to_owned())
+    ProgressBar::new(steps).with_style(style).with_message(shown(what).into_owned())
 }
 
 fn write_human<'a>(sources: &Sources, diagnostics: impl Iterator<Item = &'a syntax::Diagnostic>) -> Result<()> {
     let mut files = SimpleFiles::new();
     for (_, file) in sources.iter() {
-        files.add(file.name.clone(), file.text.to_string());
+        files.add(shown_name(&file.name), shown(&file.text));
     }
     let mut writer = termcolor::StandardStream::stderr(if stderr().is_terminal() {
         termcolor::ColorChoice::Auto
@@ -79,18 +86,28 @@ fn rendered(sources: &Sources, diagnostic: &syntax::Diagnostic) -> Diagnostic<us
     };
     let own = diagnostic.span.map(|span| (LabelStyle::Primary, span, diagnostic.label.as_deref().unwrap_or("")));
     let related = diagnostic.related.iter().map(|other| (LabelStyle::Secondary, other.span, other.message.as_str()));
-    let (wide, labels): (Vec<_>, Vec<_>) =
-        own.into_iter().chain(related).partition(|(_, span, _)| is_in_wide_line(sources, *span));
-
-    let labels = labels
+    let (quoted, named): (Vec<_>, Vec<_>) = own
         .into_iter()
-        .map(|(style, span, message)| Label::new(style, span.file.0 as usize, span.range()).with_message(message));
-    let excerpts = wide.into_iter().map(|(_, span, message)| excerpt(sources, span, message));
-    let hints = diagnostic.hints.iter().map(|hint| format!("help: {hint}"));
+        .chain(related)
+        .partition(|(_, span, _)| may_be_quoted(sources.get(span.file)) && !is_in_wide_line(sources, *span));
+
+    let labels = quoted.into_iter().map(|(style, span, message)| {
+        let place = |at: u32| shown_place(&sources.get(span.file).text, at as usize);
+        Label::new(style, span.file.0 as usize, place(span.start)..place(span.end)).with_message(shown(message))
+    });
+    let places = named.into_iter().map(|(_, span, message)| shown(&named_place(sources, span, message)).into_owned());
+    let hints = diagnostic.hints.iter().map(|hint| format!("help: {}", shown(hint)));
     Diagnostic::new(severity)
-        .with_message(&diagnostic.message)
+        .with_message(shown(&diagnostic.message))
         .with_labels(labels.collect())
-        .with_notes(excerpts.chain(hints).collect())
+        .with_notes(places.chain(hints).collect())
+}
+
+/// Whether a file's text may be shown. A scene may name any file that its user may read, and messages go to logs and to servers'
+/// answers: so only what is called a scene, wherever links lead, or came from standard input.
+fn may_be_quoted(file: &SourceFile) -> bool {
+    let is_called_scene = |path: PathBuf| SourceFile::new(path.to_string_lossy(), "").is_called_scene();
+    file.name == STANDARD || file.is_called_scene() && fs::canonicalize(&file.name).map_or(true, is_called_scene)
 }
 
 /// Whether any line that the span touches is too wide to be shown.
@@ -101,15 +118,19 @@ fn is_in_wide_line(sources: &Sources, span: Span) -> bool {
     text[start..end].lines().any(|line| line.len() > WIDEST_LINE)
 }
 
-/// The place and the text around it, for a line that is too wide to be shown.
-fn excerpt(sources: &Sources, span: Span, message: &str) -> String {
+/// The place in words, with the text around it if that may be shown: for a line that is too wide to be shown whole.
+fn named_place(sources: &Sources, span: Span, message: &str) -> String {
     let file = sources.get(span.file);
     let (line, column) = file.line_column(span.start);
+    let place = format!("at {}:{line}:{column}", shown_name(&file.name));
+    if !may_be_quoted(file) {
+        return format!("{place}: {message}").trim_end_matches(": ").to_owned();
+    }
     let (before, after) = file.text.split_at(span.start as usize);
     let before: Vec<char> = before.chars().rev().take_while(|c| *c != '\n').take(EXCERPT).collect();
     let after = after.chars().take_while(|c| *c != '\n').take(EXCERPT);
     let around: String = before.into_iter().rev().chain(after).collect();
-    format!("at {}:{line}:{column}: …{around}… {message}", file.name)
+    format!("{place}: …{around}… {message}")
 }
 
 fn write_json<'a>(sources: &Sources, diagnostics: impl Iterator<Item = &'a syntax::Diagnostic>) -> Result<()> {
@@ -137,7 +158,7 @@ fn write_json<'a>(sources: &Sources, diagnostics: impl Iterator<Item = &'a synta
             "hints": diagnostic.hints,
             "suggestion": suggestion,
         });
-        writeln!(writer, "{object}")?;
+        writeln!(writer, "{}", escaped(&object.to_string()))?;
     }
     Ok(())
 }

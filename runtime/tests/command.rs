@@ -224,15 +224,6 @@ fn hostile_input_is_an_error() {
     }
 }
 
-/// A device that never ends is read no further than a scene may be long.
-#[cfg(target_os = "linux")]
-#[test]
-fn endless_files_are_refused() {
-    let output = Folder::new().run(&["check", "/dev/zero"]);
-    assert_eq!(output.status.code(), Some(1));
-    assert!(stderr(&output).contains("larger than"), "{}", stderr(&output));
-}
-
 /// Numbers that make no solid leave it out with a warning, as OpenSCAD does; they are no reason to fail.
 #[test]
 fn odd_numbers_make_empty_solids() {

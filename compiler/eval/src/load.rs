@@ -1,7 +1,7 @@
 //! Reading the scene and every file it includes or uses.
 
 use chiaro_syntax::tree::{File, Name, Statement};
-use chiaro_syntax::{Diagnostic, Dialect, FileId, SourceFile, Sources, Spanned, parse};
+use chiaro_syntax::{Diagnostic, Dialect, FileId, Severity, SourceFile, Sources, Span, Spanned, parse};
 use rustc_hash::FxHashMap;
 
 use crate::options::{Limits, World};
@@ -43,7 +43,8 @@ pub(crate) fn load(
     let mut loader = Loader { world, sources, limits, diagnostics, library, numbers: FxHashMap::default() };
     let name = loader.sources.get(main).name.clone();
     loader.numbers.insert(name, 0);
-    loader.parse(main);
+    let (tree, reports) = parse_source(loader.sources, main);
+    loader.keep(main, tree, reports);
     // Files are appended while this runs: each is looked through once.
     let mut next = 0;
     while next < loader.library.files.len() {
@@ -63,11 +64,19 @@ struct Loader<'a> {
 }
 
 impl Loader<'_> {
-    fn parse(&mut self, id: FileId) {
-        let source = self.sources.get(id);
-        let (tree, reports) = parse(id, &source.text, Dialect::of_file(&source.name));
+    fn keep(&mut self, id: FileId, tree: File, reports: Vec<Diagnostic>) {
         self.diagnostics.extend(reports);
         self.library.files.push(Loaded { id, tree });
+    }
+
+    /// Parses a file that is named at this place.
+    fn parse_named(&mut self, id: FileId, place: Span) {
+        let (tree, reports) = parse_source(self.sources, id);
+        let first = reports.iter().find(|report| report.severity == Severity::Error);
+        match first.filter(|_| !self.sources.get(id).is_called_scene()) {
+            Some(error) => self.keep(id, File::default(), vec![foreign(self.sources, id, error, place)]),
+            None => self.keep(id, tree, reports),
+        }
     }
 
     /// Reads the files that one file refers to.
@@ -112,7 +121,7 @@ impl Loader<'_> {
                 let number = self.library.files.len();
                 let id = self.sources.add(SourceFile::new(name.clone(), text));
                 self.numbers.insert(name, number);
-                self.parse(id);
+                self.parse_named(id, path.span);
                 Some(number)
             }
             Err(reason) => {
@@ -121,6 +130,19 @@ impl Loader<'_> {
             }
         }
     }
+}
+
+fn parse_source(sources: &Sources, id: FileId) -> (File, Vec<Diagnostic>) {
+    let source = sources.get(id);
+    parse(id, &source.text, Dialect::of_file(&source.name))
+}
+
+/// The only error of a file that is neither called a scene nor is one: what is in it is nobody's business who reads messages.
+fn foreign(sources: &Sources, id: FileId, error: &Diagnostic, place: Span) -> Diagnostic {
+    let file = sources.get(id);
+    let line = error.span.map_or(1, |span| file.line_column(span.start).0);
+    Diagnostic::error(place, format!("`{}` is not a scene: line {line} can't be understood", file.name))
+        .with_hint("messages say more of files that are called .scad or .csg")
 }
 
 /// Whether a path is that of a font, which OpenSCAD lets a scene `use` like a library.

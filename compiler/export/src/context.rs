@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::lamps::Lamps;
 use crate::parameters::{Parameter, snake_case};
+use crate::prose::Prose;
 use crate::source::described;
 use crate::subject::Scene;
 
@@ -29,11 +30,11 @@ const PARTS: [(&str, &str); 8] = parts![
     "web/view.js",
 ];
 
-/// What templates know.
+/// What templates know. They put texts down as they are; so a text of the scene's is [`Prose`] or a name.
 #[derive(Serialize)]
 pub(crate) struct Context {
     /// What people call the scene.
-    title: String,
+    title: Prose,
     /// The title as a name of files, uniforms and functions: `wall_clock`.
     pub(crate) name: String,
     /// The title as a name of types: `WallClock`.
@@ -60,9 +61,9 @@ pub(crate) struct Context {
 #[derive(Serialize)]
 struct Live {
     name: String,
-    label: String,
+    label: Prose,
     /// What people read of it.
-    text: String,
+    text: Prose,
     default: f64,
     min: f64,
     max: f64,
@@ -89,9 +90,9 @@ impl Context {
         let [box_min, box_max] = scene.setting.bounds;
         let (box_min, box_max) = (box_min.map(|x| rounded(x, -0.5)), box_max.map(|x| rounded(x, 0.5)));
         let bounds = scene.graph.facts[scene.graph.root.0 as usize].bounds;
-        let name = snake_case(scene.title);
+        let name = snake_case(scene.title, "scene");
         let mut context = Self {
-            title: scene.title.chars().map(|c| if is_plain(c) { c } else { '_' }).collect(),
+            title: Prose::title(scene.title),
             type_name: camel_case(&name),
             name,
             about: String::new(),
@@ -125,7 +126,7 @@ impl Context {
     pub(crate) fn fill(&self, template: &str, code: &str) -> Result<String, Diagnostic> {
         let mut environment = Environment::new();
         environment.set_undefined_behavior(UndefinedBehavior::Strict);
-        // Names stand in scripts as they are, whatever the ending of the file that is included.
+        // Names and prose stand everywhere as they are, whatever the ending of the file that is included.
         environment.set_auto_escape_callback(|_| AutoEscape::None);
         // Lines of instructions leave nothing behind.
         let failed = |error: minijinja::Error| {
@@ -147,11 +148,6 @@ impl Context {
 fn uuid(name: String) -> String {
     let mix = |hash: u128, byte| (hash ^ u128::from(byte)).wrapping_mul((1 << 88) + 0x13b);
     format!("{:032x}", name.bytes().fold(0x6c62_272e_07bb_0142_62b8_2175_6295_c58d, mix))
-}
-
-/// Whether a character means nothing to any language, so that titles can stand in its comments and its strings.
-fn is_plain(c: char) -> bool {
-    c.is_alphanumeric() || " -_.,()+".contains(c)
 }
 
 /// A text as it stands between the backticks of JavaScript's template literals.

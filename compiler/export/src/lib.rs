@@ -12,6 +12,7 @@ mod languages;
 mod listing;
 mod packages;
 mod parameters;
+mod prose;
 mod source;
 mod subject;
 mod target;
@@ -20,6 +21,7 @@ mod words;
 
 pub use listing::listing;
 pub use parameters::{Parameter, snake_case};
+pub use prose::Prose;
 pub use source::Source;
 pub use subject::{Camera, Scene};
 pub use target::{File, Language, Package, Target, export};

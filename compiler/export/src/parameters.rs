@@ -2,7 +2,10 @@
 
 use chiaro_solid::scalar::{Function, Operation};
 use chiaro_solid::{LiveParameter, Scalar};
+use deunicode::deunicode_with_tofu;
 use rustc_hash::FxHashSet;
+
+use crate::prose::Prose;
 
 /// A live parameter.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,7 +13,7 @@ pub struct Parameter {
     /// A name that is unique in the exported text.
     pub name: String,
     /// What the scene calls it, for people: `size[0]`.
-    pub label: String,
+    pub label: Prose,
     /// Its value until somebody moves it.
     pub default: f64,
     /// The least value.
@@ -20,7 +23,7 @@ pub struct Parameter {
     /// The distance between neighbouring values on a slider, if the scene says.
     pub step: Option<f64>,
     /// What the scene says about it.
-    pub description: Option<String>,
+    pub description: Option<Prose>,
     /// Whether it is `$t`, which goes from 0 to 1 again and again.
     pub is_time: bool,
 }
@@ -31,7 +34,7 @@ pub(crate) fn parameters(live: &[LiveParameter], is_taken: &dyn Fn(&str) -> bool
     let mut named = |parameter: &LiveParameter| {
         let is_time = &*parameter.name == "$t";
         let component = parameter.component.map(|index| ["x", "y", "z", "w"].get(index).copied().unwrap_or("n"));
-        let word = if is_time { "time".to_owned() } else { snake_case(&parameter.name) };
+        let word = if is_time { "time".to_owned() } else { snake_case(&parameter.name, "value") };
         let own = component.map_or(word.clone(), |component| format!("{word}_{component}"));
         let mut name = own.clone();
         // `_value` more often than a text has words is not needed.
@@ -44,23 +47,24 @@ pub(crate) fn parameters(live: &[LiveParameter], is_taken: &dyn Fn(&str) -> bool
         };
         Parameter {
             name,
-            label,
+            label: Prose::new(&label),
             default: parameter.default,
             min: parameter.range.min,
             max: parameter.range.max,
             step: parameter.step,
-            description: parameter.description.clone(),
+            description: parameter.description.as_deref().map(Prose::new),
             is_time,
         }
     };
     live.iter().map(&mut named).collect()
 }
 
-/// A name as shaders like it: `wall_thickness` for `wallThickness`. Never a number first, nor two underscores in a row.
-pub fn snake_case(name: &str) -> String {
+/// A name as shaders like it: `wall_thickness` for `wallThickness`, `grosse` for `Größe`. Never a number first, nor two underscores
+/// in a row. What has no letters and no numbers is called otherwise.
+pub fn snake_case(name: &str, otherwise: &str) -> String {
     let mut result = String::new();
     let mut was_lower = false;
-    for c in name.chars() {
+    for c in deunicode_with_tofu(name, "_").chars() {
         if c.is_ascii_uppercase() && was_lower {
             result.push('_');
         }
@@ -73,7 +77,7 @@ pub fn snake_case(name: &str) -> String {
     }
     let result = result.trim_end_matches('_');
     match result.chars().next() {
-        None => "value".to_owned(),
+        None => otherwise.to_owned(),
         Some(first) if first.is_ascii_digit() => format!("n{result}"),
         Some(_) => result.to_owned(),
     }
@@ -152,10 +156,17 @@ mod tests {
 
     #[test]
     fn names_are_in_snake_case() {
-        assert_eq!(snake_case("wallThickness"), "wall_thickness");
-        assert_eq!(snake_case("_hole__size_"), "hole_size");
-        assert_eq!(snake_case("2nd"), "n2nd");
-        assert_eq!(snake_case("$t"), "t");
-        assert_eq!(snake_case("__"), "value");
+        let cases = [
+            ("wallThickness", "wall_thickness"),
+            ("_hole__size_", "hole_size"),
+            ("2nd", "n2nd"),
+            ("$t", "t"),
+            ("__", "value"),
+            ("日本", "ri_ben"),
+            ("Größe der Öffnung", "grosse_der_offnung"),
+        ];
+        for (name, expected) in cases {
+            assert_eq!(snake_case(name, "value"), expected);
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! A scene as one WGSL text, which all other languages are translations of.
 
+use std::fmt::Display;
+
 use chiaro_field::Graph;
 use chiaro_shader::{Library, Names, library};
 use chiaro_solid::LiveParameter;
@@ -7,6 +9,7 @@ use chiaro_syntax::Diagnostic;
 use rustc_hash::FxHashSet;
 
 use crate::parameters::{Parameter, expression, number, parameters};
+use crate::prose::Prose;
 use crate::words::{is_reserved, words};
 
 /// The functions that live numbers may be computed with.
@@ -60,8 +63,9 @@ impl Source {
         Ok(Self { text, parameters: read })
     }
 
-    /// The text with the struct and the uniform variable that its parameters are read from, if it has any.
-    pub fn with_uniforms(&self, group: u32, binding: u32) -> String {
+    /// The text with the struct and the uniform variable that its parameters are read from, if it has any. The group may be a word
+    /// that the target puts a number for.
+    pub fn with_uniforms(&self, group: impl Display, binding: u32) -> String {
         if self.parameters.is_empty() {
             return self.text.clone();
         }
@@ -76,10 +80,10 @@ impl Source {
 }
 
 /// What a parameter is, for people.
-pub(crate) fn described(parameter: &Parameter) -> String {
+pub(crate) fn described(parameter: &Parameter) -> Prose {
     let Parameter { label, default, min, max, description, .. } = parameter;
     let own = format!("{label}: from {min} to {max}, {default} by default");
-    description.as_ref().map_or(own.clone(), |text| format!("{} ({own})", text.trim()))
+    Prose::new(&description.as_ref().map_or(own.clone(), |text| format!("{text} ({own})")))
 }
 
 /// The functions with live numbers computed where they are read.

@@ -1,5 +1,7 @@
 //! What is exported: a scene's functions, what is known of it, and from where it is seen.
 
+use std::fmt::Display;
+
 use chiaro_field::Graph;
 use chiaro_shader::{Names, Setting, one_pass};
 use chiaro_solid::LiveParameter;
@@ -123,7 +125,12 @@ impl Camera {
 impl Text {
     /// All of it, with a uniform of live parameters at this binding of group 0.
     pub(crate) fn wgsl(&self, binding: u32) -> String {
-        self.source.with_uniforms(0, binding) + &self.below
+        self.wgsl_bound(0, binding)
+    }
+
+    /// All of it, with a uniform of live parameters at this place.
+    pub(crate) fn wgsl_bound(&self, group: impl Display, binding: u32) -> String {
+        self.source.with_uniforms(group, binding) + &self.below
     }
 }
 

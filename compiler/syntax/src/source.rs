@@ -78,6 +78,12 @@ impl SourceFile {
         Self { name: name.into(), text, line_starts }
     }
 
+    /// Whether the file is called as scenes are. Messages show the text of such files only: a scene may name any other.
+    pub fn is_called_scene(&self) -> bool {
+        let ending = self.name.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
+        matches!(ending.as_deref(), Some("csg" | "scad"))
+    }
+
     /// Line and column, both counted from 1 and the column in characters, of a byte offset.
     pub fn line_column(&self, offset: u32) -> (usize, usize) {
         let line = self.line_starts.partition_point(|start| *start <= offset) - 1;

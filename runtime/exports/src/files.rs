@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 
 /// A file to be written.
 pub struct File {
@@ -18,27 +18,24 @@ impl File {
     }
 }
 
-/// The first place that these files would take and where something is already. `output` is their own, or the folder that all of
-/// them are in.
+/// The first place that these files would take and where something is already, unless it is a pipe or a device. `output` is their
+/// own, or the folder that all of them are in.
 pub fn occupied<'a>(files: &'a [File], output: &'a Path) -> Option<&'a Path> {
     let mut places = match is_folder(files, output) {
         true => vec![output],
         false => files.iter().map(|file| &*file.path).collect(),
     };
-    places.retain(|place| place.exists());
+    places.retain(|place| place.exists() && !chiaro_files::is_stream_at(place));
     places.first().copied()
 }
 
 /// Writes all files, or none. What is there is written over; a folder is no place for a file.
 pub fn write(files: &[File], output: &Path) -> Result<()> {
     let named: Vec<(&Path, &[u8])> = files.iter().map(|file| (&*file.path, &*file.bytes)).collect();
-    if is_folder(files, output) {
-        return chiaro_files::write_folder(output, &named);
+    match is_folder(files, output) {
+        true => chiaro_files::write_folder(output, &named),
+        false => chiaro_files::write_all(&named),
     }
-    if let Some(folder) = files.iter().find(|file| file.path.is_dir()) {
-        bail!("cannot write {}: it is a folder", folder.path.display());
-    }
-    chiaro_files::write_all(&named)
 }
 
 /// Whether `output` is a folder that all files are in.

@@ -22,22 +22,37 @@ pub fn mesh(scene: &Scene, values: &[f64], detail: &Detail, watch: &mut Watch) -
 
 /// The files of a mesh, the main one at `path`.
 pub fn mesh_files(model: &Model, format: MeshFormat, path: &Path) -> Vec<File> {
-    let beside = |ending: &str| path.with_extension(ending);
-    let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     match format {
         MeshFormat::Stl => vec![File::new(path, write::stl(&model.mesh))],
         MeshFormat::Ply => vec![File::new(path, write::ply(model))],
         MeshFormat::ThreeMf => vec![File::new(path, write::threemf(model))],
         MeshFormat::Glb => vec![File::new(path, write::glb(model))],
         MeshFormat::Obj => {
-            let materials = beside("mtl");
-            let text = write::obj(model, &name(&materials));
-            vec![File::new(materials, write::mtl(model)), File::new(path, text)]
+            let materials = name_beside(path, "mtl", "#\\");
+            let text = write::obj(model, &materials);
+            vec![File::new(path.with_file_name(materials), write::mtl(model)), File::new(path, text)]
         }
         MeshFormat::Gltf => {
-            let data = beside("bin");
-            let (document, bytes) = write::gltf(model, &name(&data));
-            vec![File::new(data, bytes), File::new(path, document)]
+            let data = name_beside(path, "bin", "");
+            let (document, bytes) = write::gltf(model, &data);
+            vec![File::new(path.with_file_name(data), bytes), File::new(path, document)]
         }
+    }
+}
+
+/// The name of a file beside another, which refers to it by that: in one line, and without these signs, which mean something there.
+fn name_beside(path: &Path, ending: &str, signs: &str) -> String {
+    let name = path.with_extension(ending).file_name().unwrap_or_default().to_string_lossy().into_owned();
+    name.trim().replace(|c: char| c.is_control() || signs.contains(c), "_")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_beside_others_have_names_that_can_be_referred_to() {
+        assert_eq!(name_beside(Path::new("out/part 1.obj"), "mtl", "#\\"), "part 1.mtl");
+        assert_eq!(name_beside(Path::new("part #1\nusemtl x.obj"), "mtl", "#\\"), "part _1_usemtl x.mtl");
     }
 }

@@ -43,7 +43,12 @@ pub fn png((width, height): (u32, u32), rgba: Vec<u8>) -> Result<Vec<u8>> {
 }
 
 /// Writes linear RGB radiance, row by row from the top.
-pub fn write_exr(path: &Path, (width, height): (u32, u32), pixels: &[[f32; 4]]) -> Result<()> {
+pub fn write_exr(path: &Path, size: (u32, u32), pixels: &[[f32; 4]]) -> Result<()> {
+    write(path, &exr(size, pixels)?)
+}
+
+/// Linear RGB radiance, row by row from the top, as the bytes of a file.
+pub fn exr((width, height): (u32, u32), pixels: &[[f32; 4]]) -> Result<Vec<u8>> {
     let (width, height) = (width as usize, height as usize);
     let channels = SpecificChannels::rgb(|at: exr::math::Vec2<usize>| {
         let [r, g, b, _] = pixels[at.y() * width + at.x()];
@@ -53,5 +58,5 @@ pub fn write_exr(path: &Path, (width, height): (u32, u32), pixels: &[[f32; 4]]) 
     image.layer_data.encoding = Encoding::SMALL_LOSSLESS;
     let mut bytes = Cursor::new(Vec::new());
     image.write().to_buffered(&mut bytes).context("cannot encode the picture")?;
-    write(path, bytes.get_ref())
+    Ok(bytes.into_inner())
 }

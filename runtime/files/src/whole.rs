@@ -1,36 +1,66 @@
 //! Files written whole or not at all.
 
-use std::io::Write;
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use tempfile::{NamedTempFile, TempPath};
+
+use crate::place::{Place, followed};
+use crate::temporaries::{Folders, Temporary};
 
 /// Files that belong together and are made one after the other: none takes its place before all are written, and nothing is
 /// left of them where that doesn't come.
 #[derive(Debug, Default)]
 pub struct Batch {
-    staged: Vec<(PathBuf, TempPath)>,
+    /// Those that take the place of what may be there.
+    whole: Vec<(Temporary, PathBuf)>,
+    /// Those that are written over files that are there, each with a temporary one: a disk that has room for it has room for them.
+    over: Vec<(PathBuf, Vec<u8>, Temporary)>,
+    /// What goes to pipes and devices.
+    streams: Vec<(PathBuf, Vec<u8>)>,
 }
 
 impl Batch {
     /// Writes `bytes`, which are to become the file at `path`.
     pub fn write(&mut self, path: &Path, bytes: &[u8]) -> Result<()> {
-        let staged = stage(path, bytes).with_context(|| failure(path))?;
-        self.staged.push((path.to_owned(), staged));
+        self.stage(path, bytes).map_err(in_words).with_context(|| failure(path))
+    }
+
+    fn stage(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        match Place::of(path)? {
+            Place::Whole(place) => self.whole.push((staged(&place, bytes)?, place)),
+            Place::Shared(place) => {
+                let room = staged(&place, bytes)?;
+                self.over.push((place, bytes.to_owned(), room));
+            }
+            Place::Stream(place) => self.streams.push((place, bytes.to_owned())),
+        }
         Ok(())
     }
 
     /// Puts all of them in their places.
     pub fn finish(self) -> Result<()> {
-        for (path, file) in self.staged {
-            file.persist(&path).map_err(|error| error.error).with_context(|| failure(&path))?;
+        Temporary::settle(self.whole).map_err(|(place, error)| (failure(&place), error)).or_else(said)?;
+        for (place, bytes, room) in self.over {
+            drop(room);
+            write_over(&place, &bytes).map_err(|error| (failure(&place), error)).or_else(said)?;
+        }
+        for (place, bytes) in self.streams {
+            write_to_stream(&place, &bytes).map_err(|error| (failure(&place), error)).or_else(said)?;
         }
         Ok(())
     }
 }
 
+fn said<T>((failure, error): (String, io::Error)) -> Result<T> {
+    Err(in_words(error)).context(failure)
+}
+
 /// Writes `bytes` to `path`: into a temporary file beside it, which then takes its place.
+///
+/// What a link leads to is written, and the link stays. A pipe or a device gets the bytes. A file that may not be written to is
+/// an error.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     write_all(&[(path, bytes)])
 }
@@ -44,61 +74,98 @@ pub fn write_all(files: &[(&Path, &[u8])]) -> Result<()> {
 
 /// Writes files that are all in one folder. Where there is no folder yet, it appears with all of them in it.
 pub fn write_folder(folder: &Path, files: &[(&Path, &[u8])]) -> Result<()> {
-    let create = |folder: &Path| std::fs::create_dir_all(folder).with_context(|| failure(folder));
-    if folder.exists() {
-        files.iter().filter_map(|(path, _)| path.parent()).try_for_each(create)?;
+    let place = followed(folder).with_context(|| failure(folder))?;
+    if place.is_dir() {
+        let mut folders = Folders::default();
+        for around in files.iter().filter_map(|(path, _)| path.parent()) {
+            folders.make(around).map_err(in_words).with_context(|| failure(around))?;
+        }
         return write_all(files);
     }
-    let around = match folder.parent() {
-        Some(around) if !around.as_os_str().is_empty() => around,
-        _ => Path::new("."),
-    };
-    let staged = tempfile::Builder::new().prefix(".chiaro-").tempdir_in(around).with_context(|| failure(folder))?;
+    let staged = Temporary::folder_in(around(&place)).map_err(in_words).with_context(|| failure(folder))?;
     for (path, bytes) in files {
-        let path = staged.path().join(path.strip_prefix(folder).unwrap_or(path));
-        path.parent().map_or(Ok(()), create)?;
-        write(&path, bytes)?;
+        let place = staged.path().join(path.strip_prefix(folder).unwrap_or(path));
+        let written = fs::create_dir_all(around(&place)).and_then(|()| {
+            let mut file = OpenOptions::new().write(true).create_new(true).open(&place)?;
+            file.write_all(bytes)?;
+            file.sync_all()
+        });
+        written.map_err(in_words).with_context(|| failure(path))?;
     }
     make_folder_readable(staged.path()).with_context(|| failure(folder))?;
-    std::fs::rename(staged.keep(), folder).with_context(|| failure(folder))
+    Temporary::settle(vec![(staged, place)]).map_err(|(_, error)| (failure(folder), error)).or_else(said)
 }
 
 fn failure(path: &Path) -> String {
     format!("cannot write {}", path.display())
 }
 
-/// The temporary file that is to become the one at `path`.
-fn stage(path: &Path, bytes: &[u8]) -> std::io::Result<TempPath> {
-    let folder = match path.parent() {
+/// An error of the system's in words. It comes with the path that was meant, and tells no other one.
+fn in_words(error: io::Error) -> io::Error {
+    let words = match error.kind() {
+        io::ErrorKind::NotFound => "there is no such folder",
+        io::ErrorKind::NotADirectory => "what should be a folder is a file",
+        io::ErrorKind::PermissionDenied => "this user may not write there",
+        io::ErrorKind::StorageFull => "the disk is full",
+        io::ErrorKind::QuotaExceeded => "this user may not take more room on the disk",
+        io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only",
+        io::ErrorKind::DirectoryNotEmpty | io::ErrorKind::AlreadyExists => "something else came to be there meanwhile",
+        io::ErrorKind::BrokenPipe => "nobody reads what is written",
+        _ => return error,
+    };
+    io::Error::new(error.kind(), words)
+}
+
+/// The folder that something is in.
+fn around(path: &Path) -> &Path {
+    match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
-    };
-    let mut file = NamedTempFile::new_in(folder)?;
+    }
+}
+
+/// The temporary file that is to become the one at `path`. It is on the disk before it does, whatever happens to the machine.
+fn staged(path: &Path, bytes: &[u8]) -> io::Result<Temporary> {
+    let (staged, mut file) = Temporary::file_in(around(path))?;
     file.write_all(bytes)?;
-    make_readable(file.path(), path)?;
-    Ok(file.into_temp_path())
+    make_readable(staged.path(), path)?;
+    file.sync_all()?;
+    Ok(staged)
+}
+
+/// Writes over a file that has other names too.
+fn write_over(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = OpenOptions::new().write(true).open(path)?;
+    file.write_all(bytes)?;
+    file.set_len(bytes.len() as u64)?;
+    file.sync_all()
+}
+
+/// Writes to a pipe or a device; or behind what is in a file, where that is what a process has open.
+fn write_to_stream(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    OpenOptions::new().append(true).open(path)?.write_all(bytes)
 }
 
 /// Temporary files are private; what takes the place of a file may be read by the same people, and what is new by all.
 #[cfg(unix)]
-fn make_readable(temporary: &Path, path: &Path) -> std::io::Result<()> {
+fn make_readable(temporary: &Path, path: &Path) -> io::Result<()> {
     use std::os::unix::fs::PermissionsExt;
-    let before = std::fs::metadata(path).map(|metadata| metadata.permissions());
-    std::fs::set_permissions(temporary, before.unwrap_or_else(|_| std::fs::Permissions::from_mode(0o644)))
+    let before = fs::metadata(path).map(|metadata| metadata.permissions());
+    fs::set_permissions(temporary, before.unwrap_or_else(|_| fs::Permissions::from_mode(0o644)))
 }
 
 #[cfg(unix)]
-fn make_folder_readable(folder: &Path) -> std::io::Result<()> {
+fn make_folder_readable(folder: &Path) -> io::Result<()> {
     use std::os::unix::fs::PermissionsExt;
-    std::fs::set_permissions(folder, std::fs::Permissions::from_mode(0o755))
+    fs::set_permissions(folder, fs::Permissions::from_mode(0o755))
 }
 
 #[cfg(not(unix))]
-fn make_folder_readable(_: &Path) -> std::io::Result<()> {
+fn make_folder_readable(_: &Path) -> io::Result<()> {
     Ok(())
 }
 
 #[cfg(not(unix))]
-fn make_readable(_: &Path, _: &Path) -> std::io::Result<()> {
+fn make_readable(_: &Path, _: &Path) -> io::Result<()> {
     Ok(())
 }

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail};
 use chiaro_compiler::Scene;
+use chiaro_files::{Folders, Temporary};
 use chiaro_render::{Gpu, LightRow, Lighting, Model, Receiver, Study, View};
 use indicatif::ProgressBar;
 
@@ -13,15 +14,18 @@ use crate::arguments::{Compare, FacetPolicy, Global, MethodChoice, SceneArgument
 use crate::comparison::metrics::{self, Answer, Reference};
 use crate::comparison::pictures::Pictures;
 use crate::comparison::{Case, Entry, Group, report, suite};
-use crate::{compile, images, terminal};
+use crate::{compile, files, images, terminal};
 
 pub(crate) fn run(arguments: &Compare, global: &Global) -> Result<ExitCode> {
     if let Some(samples) = arguments.one_pass {
         return super::compare_one_pass::run(arguments, samples, global);
     }
-    let folder = prepared(&arguments.output)?;
+    let mut made = Folders::default();
+    let folder = prepared(&arguments.output, &mut made)?;
     let gpu = Gpu::new(&arguments.adapter.preference())?;
-    let temporary = tempfile::tempdir().context("cannot make a temporary folder")?;
+    let temporary = Temporary::folder().context("cannot make a temporary folder")?;
+    // The suite's scenes are our own.
+    files::admit(temporary.path());
     let subjects = subjects(arguments, temporary.path())?;
 
     let mut cases = Vec::new();
@@ -49,15 +53,15 @@ pub(crate) fn run(arguments: &Compare, global: &Global) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The folder of the report: a new one, an empty one, or that of an earlier report.
-fn prepared(folder: &Path) -> Result<PathBuf> {
+/// The folder of the report: a new one, which is removed again if nothing comes into it, an empty one, or that of an earlier report.
+fn prepared(folder: &Path, made: &mut Folders) -> Result<PathBuf> {
     if folder.exists() {
         let mut entries = std::fs::read_dir(folder).with_context(|| format!("cannot read {}", folder.display()))?;
         if entries.next().is_some() && !folder.join("results.json").is_file() {
             bail!("{} is in use for something else: name another folder with --output", folder.display());
         }
     }
-    std::fs::create_dir_all(folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
+    made.make(folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
     Ok(folder.to_owned())
 }
 

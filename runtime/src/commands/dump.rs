@@ -1,14 +1,13 @@
 //! `chiaro dump`: prints what one stage of the compiler makes of a scene.
 
-use std::io::{Write, stdout};
 use std::process::ExitCode;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use chiaro_compiler::syntax::{Dialect, FileId, parse, print};
 use chiaro_compiler::{field, solid};
 
 use crate::arguments::{Dump, Global, Stage};
-use crate::compile;
+use crate::{compile, output};
 
 pub(crate) fn run(arguments: &Dump, global: &Global) -> Result<ExitCode> {
     let compilation = compile::compilation(&arguments.scene, global)?;
@@ -30,6 +29,6 @@ pub(crate) fn run(arguments: &Dump, global: &Global) -> Result<ExitCode> {
             None => return Ok(ExitCode::FAILURE),
         },
     };
-    stdout().write_all(text.as_bytes()).context("cannot write to standard output")?;
+    output::text(&text)?;
     Ok(if compilation.has_errors() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }

@@ -1,36 +1,36 @@
 //! `chiaro fmt`: formats scenes in place, or checks that they are formatted.
 
-use std::fs;
-use std::io::{Read, Write, stdin, stdout};
+use std::io::{Read, stdin};
 use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, anyhow};
 use chiaro_assist::format;
 use chiaro_compiler::syntax::{Diagnostic, Dialect, Severity, SourceFile, Sources, Span, parse};
+use chiaro_files::FileWorld;
 
 use crate::arguments::{Fmt, Global};
-use crate::{files, terminal};
-
-/// The file name that stands for standard input and output.
-const STANDARD: &str = "-";
+use crate::terminal::STANDARD;
+use crate::{files, output, terminal};
 
 pub(crate) fn run(arguments: &Fmt, global: &Global) -> Result<ExitCode> {
+    let world = FileWorld::new();
     let mut all_well = true;
     for file in &arguments.files {
-        let text = read(file)?;
+        let text = read(&world, file)?;
         all_well &= if arguments.check { check(file, text, global)? } else { rewrite(file, text, global)? };
     }
     Ok(if all_well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-fn read(file: &Path) -> Result<String> {
-    let mut bytes = Vec::new();
-    let read = match file.to_str() {
-        Some(STANDARD) => stdin().read_to_end(&mut bytes).map(|_| ()),
-        _ => fs::read(file).map(|read| bytes = read),
+fn read(world: &FileWorld, file: &Path) -> Result<String> {
+    let bytes = if file == Path::new(STANDARD) {
+        let mut bytes = Vec::new();
+        stdin().read_to_end(&mut bytes).context("cannot read standard input")?;
+        bytes
+    } else {
+        world.read_file(file).map_err(|reason| anyhow!("cannot read {}: {reason}", file.display()))?
     };
-    read.with_context(|| format!("cannot read {}", file.display()))?;
     String::from_utf8(bytes).map_err(|_| anyhow!("{} is not encoded in UTF-8", file.display()))
 }
 
@@ -40,12 +40,10 @@ fn rewrite(file: &Path, text: String, global: &Global) -> Result<bool> {
         return Ok(false);
     }
     let formatted = format(&text);
-    if file.to_str() == Some(STANDARD) {
-        stdout().write_all(formatted.as_bytes()).context("cannot write to standard output")?;
+    if file == Path::new(STANDARD) {
+        output::text(&formatted)?;
     } else if formatted != text {
-        // What a link points to is formatted, and the link stays one.
-        let target = fs::canonicalize(file).with_context(|| format!("cannot find {}", file.display()))?;
-        files::write(&target, formatted.as_bytes())?;
+        files::write(file, formatted.as_bytes())?;
         terminal::note(global, &format!("{} formatted", file.display()));
     }
     Ok(true)

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use chiaro_compiler::Scene;
 use chiaro_compiler::field::Graph;
 use chiaro_compiler::solid::{Camera, PlacedLight};
@@ -14,16 +14,27 @@ use indicatif::ProgressBar;
 
 use crate::arguments::{Global, Render, SceneArguments};
 use crate::images::{self, Format};
-use crate::{compile, terminal};
+use crate::{compile, output, terminal};
 
 /// The name of OpenSCAD's clock, which goes from 0 to 1.
 const CLOCK: &str = "$t";
 
 pub(crate) fn run(arguments: &Render, global: &Global) -> Result<ExitCode> {
-    let format = Format::of(&arguments.output)?;
+    let format = format(arguments)?;
     let compilation = compile::compilation(&arguments.scene, global)?;
     let Some(scene) = &compilation.scene else { return Ok(ExitCode::FAILURE) };
     compile::drawn(draw(scene, &compilation.sources, arguments, format, global), &compilation.sources, global)
+}
+
+/// The format that the output's name asks for.
+fn format(arguments: &Render) -> Result<Format> {
+    if !output::is_standard(&arguments.output) {
+        return Format::of(&arguments.output);
+    }
+    if arguments.frames.is_some() {
+        bail!("the pictures of --frames are several files, and standard output is one");
+    }
+    Ok(Format::Png)
 }
 
 fn draw(scene: &Scene, sources: &Sources, arguments: &Render, format: Format, global: &Global) -> Result<ExitCode> {
@@ -187,19 +198,21 @@ impl Studio {
     }
 
     fn write(&self, path: &Path, format: Format, size: (u32, u32)) -> Result<()> {
-        match format {
-            Format::Png => images::write_png(path, size, self.picture.resolve()?),
-            Format::Exr => images::write_exr(path, size, &self.picture.hdr()?),
-        }
+        let bytes = match format {
+            Format::Png => images::png(size, self.picture.resolve()?),
+            Format::Exr => images::exr(size, &self.picture.hdr()?),
+        };
+        output::write(path, &bytes?)
     }
 }
 
 /// `clock.png` as `clock_07.png`, with as many digits as the last frame needs.
 fn numbered(path: &Path, frame: u32, count: u32) -> PathBuf {
     let digits = (count - 1).to_string().len();
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let ending = path.extension().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!("{stem}_{frame:0digits$}.{ending}"))
+    let mut name = path.file_stem().unwrap_or_default().to_owned();
+    name.push(format!("_{frame:0digits$}."));
+    name.push(path.extension().unwrap_or_default());
+    path.with_file_name(name)
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 
 mod engines;
 mod godot;
+mod hostile;
 mod series;
 mod support;
 

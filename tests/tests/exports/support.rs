@@ -44,6 +44,15 @@ impl Example {
         Self { name, graph: scene.picture(), values, parameters: scene.parameters, sources: compilation.sources }
     }
 
+    /// The same, called so, with this said of each of its live numbers.
+    pub(crate) fn saying(mut self, title: &str, descriptions: &[String]) -> Self {
+        title.clone_into(&mut self.name);
+        for (parameter, description) in self.parameters.iter_mut().zip(descriptions) {
+            parameter.description = Some(description.clone());
+        }
+        self
+    }
+
     /// Its export.
     pub(crate) fn export(&self, target: Target) -> Result<Vec<export::File>, Diagnostic> {
         let names = ModuleNames::new(&self.sources);

@@ -39,5 +39,5 @@ pub(super) fn files(scene: &Scene) -> Result<Vec<File>, Diagnostic> {
 
 /// A text as Bevy wants it: live numbers are in the bind group of materials.
 fn material(text: &Text) -> String {
-    text.wgsl(0).replacen("@group(0)", "@group(#{MATERIAL_BIND_GROUP})", 1)
+    text.wgsl_bound("#{MATERIAL_BIND_GROUP}", 0)
 }

@@ -282,7 +282,7 @@ impl<'a> Writer<'a> {
         let mut first = self.next_comment;
         let mut reach = start;
         while let Some(comment) = first.checked_sub(1).and_then(|index| self.comments.get(index)) {
-            let gap = &self.wgsl[comment.start + comment.text.len()..reach];
+            let gap = self.wgsl.get(comment.start + comment.text.len()..reach).unwrap_or_default();
             if !comment.is_alone || !gap.trim().is_empty() || gap.matches('\n').count() > 2 {
                 break;
             }

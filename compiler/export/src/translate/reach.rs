@@ -3,6 +3,8 @@
 use rustc_hash::FxHashSet;
 use wgsl_parse::syntax::{GlobalDeclaration, TranslationUnit};
 
+use super::comments::code;
+
 /// The uniform variable of live parameters.
 pub(super) const PARAMETERS: &str = "parameters";
 
@@ -33,13 +35,12 @@ pub(super) fn readers(wgsl: &str, unit: &TranslationUnit) -> FxHashSet<String> {
 
 /// The identifiers of a text that are not in its comments, and whether an opening parenthesis stands behind.
 pub(crate) fn words(text: &str) -> impl Iterator<Item = (&str, bool)> {
-    let code = text.lines().map(|line| line.split_once("//").map_or(line, |(code, _)| code));
-    code.flat_map(words_of_line)
+    code(text).into_iter().flat_map(words_of_code)
 }
 
-fn words_of_line(line: &str) -> impl Iterator<Item = (&str, bool)> {
+fn words_of_code(code: &str) -> impl Iterator<Item = (&str, bool)> {
     let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let mut rest = line;
+    let mut rest = code;
     std::iter::from_fn(move || {
         let start = rest.find(is_part)?;
         let end = rest[start..].find(|c| !is_part(c)).map_or(rest.len(), |length| start + length);

@@ -15,8 +15,17 @@ const INDICES: u32 = 34963;
 /// A glTF file, which refers to a buffer of that name, and the buffer.
 pub fn gltf(model: &Model, buffer: &str) -> (Vec<u8>, Vec<u8>) {
     let (mut document, bytes) = document(model);
-    document["buffers"][0]["uri"] = json!(buffer);
+    document["buffers"][0]["uri"] = json!(uri(buffer));
     (format!("{document:#}\n").into_bytes(), bytes)
+}
+
+/// A relative reference to a file (RFC 3986): what isn't unreserved is escaped.
+fn uri(name: &str) -> String {
+    let escaped = |byte: u8| match byte {
+        b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' => char::from(byte).to_string(),
+        _ => format!("%{byte:02X}"),
+    };
+    name.bytes().map(escaped).collect()
 }
 
 /// A GLB file.

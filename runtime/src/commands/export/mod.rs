@@ -14,16 +14,20 @@ use chiaro_exports::{File, Format, MeshFormat, Shaded};
 use chiaro_render::{Error, Gpu, Preference};
 
 use crate::arguments::{Export, Global, Target};
-use crate::{compile, terminal};
+use crate::{compile, files, output, terminal};
 
 pub(crate) fn run(arguments: &Export, global: &Global) -> Result<ExitCode> {
     let target = target(arguments)?;
-    if arguments.output.exists() {
+    let to_standard = output::is_standard(&arguments.output);
+    if !to_standard && arguments.output.exists() && !files::is_stream_at(&arguments.output) {
         refuse(&arguments.output, arguments.force)?;
     }
     let compilation = compile::compilation(&arguments.scene, global)?;
     let Some(scene) = &compilation.scene else { return Ok(ExitCode::FAILURE) };
-    let written = files(&compilation, scene, target, arguments, global).and_then(|files| {
+    let written = made(&compilation, scene, target, arguments, global).and_then(|files| {
+        if to_standard {
+            return alone(files).and_then(|bytes| output::to_standard(&bytes)).map(|()| ExitCode::SUCCESS);
+        }
         if let Some(place) = chiaro_exports::occupied(&files, &arguments.output) {
             refuse(place, arguments.force)?;
         }
@@ -41,7 +45,18 @@ fn refuse(occupied: &Path, force: bool) -> Result<()> {
     Ok(())
 }
 
-fn files(
+/// The bytes of an export that is one file.
+fn alone(files: Vec<File>) -> Result<Vec<u8>> {
+    match <[File; 1]>::try_from(files) {
+        Ok([file]) => Ok(file.bytes),
+        Err(files) => {
+            bail!("this target is {} files, and standard output is one: name a file or a folder", files.len())
+        }
+    }
+}
+
+/// The files of an export.
+fn made(
     compilation: &Compilation,
     scene: &Scene,
     target: Target,
