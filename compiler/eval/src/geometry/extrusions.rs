@@ -252,7 +252,7 @@ fn projection(instance: &mut Instance) -> Built {
     if is_empty(&child) {
         return Ok(child);
     }
-    if instance.flag("cut")? {
+    if instance.flag("cut", false)? {
         Ok(Solid::new(SolidKind::Slice(child), instance.head))
     } else {
         shadow(&child, instance.head)
