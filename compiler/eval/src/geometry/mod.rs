@@ -28,6 +28,7 @@ mod planes;
 mod polyhedra;
 mod resize;
 mod solids;
+mod stages;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]

@@ -60,7 +60,7 @@ pub static SLICE: Row = Row {
     example: "",
 };
 
-/// An upright solid that is turned and scaled.
+/// An upright solid that is turned, and then scaled.
 pub static EXTRUDE: Row = Row {
     name: "extrude",
     function: "section_extrude",
@@ -74,6 +74,6 @@ pub static EXTRUDE: Row = Row {
     module: false,
     round: false,
     bounds: anywhere,
-    manual: "Draws a plane shape out along z, scaled and then turned with the height.",
+    manual: "Draws a plane shape out along z, turned and then scaled with the height.",
     example: "",
 };
