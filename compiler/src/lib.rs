@@ -20,7 +20,7 @@ mod scene;
 use std::panic::resume_unwind;
 
 use chiaro_eval::{Evaluation, STACK_BYTES, evaluate};
-use chiaro_syntax::{Diagnostic, Severity, SourceFile, Sources};
+use chiaro_syntax::{Diagnostic, Severity, Sources};
 
 pub use chiaro_eval::{Facets, LiveLiteral, Options, World};
 #[cfg(feature = "export")]
@@ -91,16 +91,17 @@ fn reason_to_freeze(compilation: &Compilation) -> Option<String> {
 /// Compiles with just these options. There is a scene even if lowering it had errors.
 fn attempt(world: &dyn World, name: &str, options: &Options) -> Compilation {
     let mut sources = Sources::default();
-    let text = match world.read(name) {
-        Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
+    let bytes = match world.read(name) {
+        Ok(bytes) => bytes,
         Err(reason) => {
             let diagnostic = Diagnostic::error(None, format!("cannot read {name}: {reason}"));
             return Compilation { sources, diagnostics: vec![diagnostic], scene: None };
         }
     };
-    let main = sources.add(SourceFile::new(name, text));
+    let (main, odd_bytes) = sources.add_bytes(name, &bytes);
     let compiled = with_deep_stack(|| {
         let Evaluation { scene, mut diagnostics } = evaluate(world, &mut sources, main, options);
+        diagnostics.splice(0..0, odd_bytes);
         let scene = scene.map(|evaluated| Scene::lower(evaluated, &mut diagnostics));
         Compilation { sources, diagnostics, scene }
     });

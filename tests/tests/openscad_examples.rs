@@ -34,7 +34,7 @@ const UNSUPPORTED: &[(&str, &[&str])] = &[
     ("Old/example015.scad", &["`import` is not supported"]),
     ("Old/example016.scad", &["`import` is not supported"]),
     ("Old/example021.scad", &["the shadow of this solid is not supported"]),
-    ("Old/example023.scad", &["can't find `MCAD/fonts.scad`"]),
+    ("Old/example023.scad", &["there is no function `8bit_polyfont`"]),
     ("Parametric/sign.scad", &["`text` is not supported"]),
 ];
 

@@ -8,6 +8,8 @@ use std::sync::OnceLock;
 use chiaro_vocabulary::{Kind, Row, Type, Unit, rows};
 use rustc_hash::FxHashMap;
 
+#[cfg(test)]
+mod defaults;
 mod functions;
 mod lights;
 mod modules;

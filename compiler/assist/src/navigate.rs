@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use chiaro_eval::World;
-use chiaro_syntax::TokenKind;
+use chiaro_syntax::{TokenKind, decode};
 use rustc_hash::FxHashSet;
 
 use crate::edit::Edit;
@@ -106,7 +106,7 @@ pub(crate) fn linked(world: &dyn World, name: &str, index: &Index) -> Vec<Linked
             continue;
         }
         let Ok(bytes) = world.read(&name) else { continue };
-        let text = String::from_utf8_lossy(&bytes).into_owned();
+        let (text, _) = decode(&bytes);
         let index = Index::of(&text);
         let included = links(&name, &index).into_iter().filter(|(_, _, is_include)| *is_include).rev();
         waiting.extend(included.map(|(from, path, _)| (from, path, is_include)));

@@ -15,10 +15,15 @@ use crate::scope::{Scope, Slot, Specials};
 use crate::suggest;
 use crate::value::{Value, text};
 
+/// The most characters of an assertion's message that are shown.
+const LONGEST_MESSAGE: usize = 1_000;
+
 /// What is called.
 pub(crate) enum Callee {
     User(UserFunction),
     BuiltIn(BuiltIn),
+    /// A value that is no function, which has been reported. The call is undef.
+    NoFunction,
 }
 
 /// A function of the scene's.
@@ -45,16 +50,21 @@ pub(crate) struct Bound {
 impl<'t> Evaluator<'t> {
     /// The function that an expression in front of arguments means.
     pub(crate) fn callee(&mut self, callee: &Expression, scope: &Rc<Scope>) -> Result<Callee> {
-        if let ExpressionKind::Name(name) = &*callee.kind {
+        let value = if let ExpressionKind::Name(name) = &*callee.kind {
             if let Some(user) = self.user_function(name, scope)? {
                 return Ok(Callee::User(user));
             }
             if let Some(built_in) = self.functions.get(name) {
                 return Ok(Callee::BuiltIn(*built_in));
             }
-            return Err(self.unknown_function(name, callee.span, scope));
-        }
-        match self.expression(callee, scope)? {
+            match self.known_variable(name, callee.span, scope)? {
+                Some(value) => value,
+                None => return Err(self.unknown_function(name, callee.span, scope)),
+            }
+        } else {
+            self.expression(callee, scope)?
+        };
+        match value {
             Value::Function(closure) => Ok(Callee::User(UserFunction {
                 function: closure.function.clone(),
                 scope: closure.scope.clone(),
@@ -63,7 +73,8 @@ impl<'t> Evaluator<'t> {
             })),
             other => {
                 let message = format!("this is {}, which can't be called", other.described());
-                Err(self.error(Diagnostic::error(callee.span, message)))
+                self.warn(Diagnostic::warning(callee.span, message).with_label("the call is undef"));
+                Ok(Callee::NoFunction)
             }
         }
     }
@@ -175,10 +186,11 @@ impl<'t> Evaluator<'t> {
         Ok(values)
     }
 
-    /// Sets the variables that follow the calls to what the top level of a used file says.
+    /// Sets the variables that follow the calls to what the top level of a used file says, where no caller has set
+    /// them.
     pub(crate) fn set_specials(&mut self, unit: Option<Unit>) {
         for (name, slot) in unit.iter().flat_map(|unit| unit.specials.iter()) {
-            self.specials.set(name.clone(), slot.clone());
+            self.specials.set_if_open(name, slot);
         }
     }
 
@@ -262,8 +274,9 @@ impl<'t> Evaluator<'t> {
         let message = match message {
             Some(message) => {
                 let value = self.expression(&message.value, scope)?;
-                let said = text::plain(&value, self.options.limits.string_bytes);
-                format!(": {}", said.unwrap_or_else(|_| "(a live number)".into()))
+                let said = text::plain(&value, LONGEST_MESSAGE).unwrap_or_else(|_| "(a live number)".into());
+                let shown: String = said.chars().take(LONGEST_MESSAGE).collect();
+                if shown.len() < said.len() { format!(": {shown}…") } else { format!(": {shown}") }
             }
             None => String::new(),
         };

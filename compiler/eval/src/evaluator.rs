@@ -8,18 +8,18 @@ use std::sync::atomic::Ordering;
 
 use chiaro_solid::{PlacedLight, Scalar, Solid};
 use chiaro_syntax::tree::{Name, Statement};
-use chiaro_syntax::{Diagnostic, Sources, Span};
+use chiaro_syntax::{Diagnostic, Severity, Sources, Span};
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 
 use crate::functions::{self, BuiltIn, Random};
 use crate::geometry::{Aside, Demotion, Stop};
 use crate::live::Live;
 use crate::load::{FileIndex, Library};
-use crate::options::Options;
+use crate::options::{Limits, Options};
 use crate::plan::{Plan, plan};
 use crate::scope::{PlanId, Scope, Slot, Specials, WellKnown};
 use crate::settings::Settings;
-use crate::value::{Trouble, Value};
+use crate::value::{Trouble, Value, held};
 
 /// More captured scopes than this are looked through for garbage.
 const FIRST_SWEEP: usize = 10_000;
@@ -27,6 +27,10 @@ const FIRST_SWEEP: usize = 10_000;
 const MOST_CAPTURED: usize = 1_000_000;
 /// How many places one message is shown for.
 const MOST_REPEATED: usize = 100;
+/// For how many different things one place is shown.
+const MOST_AT_ONE_PLACE: usize = 100;
+/// So many bytes of text are written in the time of one step.
+const BYTES_PER_STEP: u64 = 64;
 /// How many of the calls under way an error shows.
 const SHOWN_CALLS: usize = 6;
 
@@ -59,6 +63,8 @@ pub(crate) struct Evaluator<'t> {
     pub(crate) children: Vec<Children<'t>>,
     /// Whether all that counts of the solids being built is their convex hull.
     pub(crate) only_hull: bool,
+    /// Whether what groups make below the instance under way is to stay apart, as operands of that one.
+    pub(crate) every: bool,
     /// The calls of functions and instances of modules under way, the innermost last.
     pub(crate) calls: Vec<Call>,
     /// The names of the user modules whose instances are under way.
@@ -80,11 +86,17 @@ pub(crate) struct Evaluator<'t> {
     said: FxHashSet<(Option<Span>, u64)>,
     /// How often each message was said, wherever.
     repeated: FxHashMap<u64, usize>,
+    /// How much was said of each place.
+    crowded: FxHashMap<Option<Span>, usize>,
     captured: Vec<Rc<Scope>>,
     sweep_at: usize,
     steps: u64,
+    /// How many bytes of text may still be made.
+    text_bytes: u64,
     nesting: u32,
     solids: u64,
+    /// How many bytes may still be echoed.
+    echo_bytes: usize,
 }
 
 /// A file whose functions and modules are used: its top-level scope, and its top-level variables that follow the
@@ -136,6 +148,7 @@ impl<'t> Evaluator<'t> {
             functions: functions::by_name(),
             children: Vec::new(),
             only_hull: false,
+            every: false,
             calls: Vec::new(),
             modules: Vec::new(),
             undecided: Vec::new(),
@@ -150,11 +163,14 @@ impl<'t> Evaluator<'t> {
             plan_ids: FxHashMap::default(),
             said: FxHashSet::default(),
             repeated: FxHashMap::default(),
+            crowded: FxHashMap::default(),
             captured: Vec::new(),
             sweep_at: FIRST_SWEEP,
             steps: options.limits.steps,
+            text_bytes: options.limits.text_bytes,
             nesting: 0,
             solids: options.limits.solids,
+            echo_bytes: options.limits.echo_bytes,
         }
     }
 
@@ -247,20 +263,55 @@ impl<'t> Evaluator<'t> {
 
     /// The value, unless it is too large.
     pub(crate) fn limited(&mut self, value: Value, span: Span) -> Result<Value> {
-        let limits = &self.options.limits;
-        let message = match &value {
-            Value::List(list) if list.weight() > limits.list_values => {
-                format!("this list has more than {} values", limits.list_values)
+        if let Value::List(list) = &value {
+            self.check_lists(list.len(), list.weight(), span)?;
+            let most = self.options.limits.list_depth;
+            if list.depth() > most {
+                let message = format!("this list has more than {most} levels of lists in it");
+                return Err(self.abort(Diagnostic::error(span, message)));
             }
-            Value::List(list) if list.depth() > limits.list_depth => {
-                format!("this list has more than {} levels of lists in it", limits.list_depth)
-            }
-            Value::String(text) if text.len() > limits.string_bytes => {
-                format!("this text is longer than {} bytes", limits.string_bytes)
-            }
-            _ => return Ok(value),
+        }
+        Ok(value)
+    }
+
+    /// Makes sure that a list with so many elements, which hold so many values, and all lists together are within the
+    /// limits.
+    pub(crate) fn check_lists(&mut self, length: usize, values: u64, span: Span) -> Result<()> {
+        let Limits { list_length, list_values, held_values, .. } = self.options.limits;
+        let message = if length > list_length {
+            format!("this list has more than {list_length} elements")
+        } else if values > list_values {
+            format!("this list has more than {list_values} values")
+        } else if held() > held_values {
+            format!("the lists of the scene hold more than {} million values", held_values / 1_000_000)
+        } else {
+            return Ok(());
         };
         Err(self.abort(Diagnostic::error(span, message)))
+    }
+
+    /// A new text, if it and all texts together are within the limits. Those made before count, even if they are gone.
+    pub(crate) fn text(&mut self, text: String, span: Span) -> Result<Value> {
+        self.check_text(text.len(), span)?;
+        self.charge(text.len() as u64 / BYTES_PER_STEP, span)?;
+        match self.text_bytes.checked_sub(text.len() as u64) {
+            Some(left) => self.text_bytes = left,
+            None => {
+                let most = self.options.limits.text_bytes / 1_000_000;
+                let message = format!("the scene makes more than {most} million bytes of text");
+                return Err(self.abort(Diagnostic::error(span, message)));
+            }
+        }
+        Ok(Value::string(text))
+    }
+
+    /// Makes sure that one text of so many bytes is within the limits.
+    pub(crate) fn check_text(&mut self, bytes: usize, span: Span) -> Result<()> {
+        let most = self.options.limits.string_bytes;
+        if bytes <= most {
+            return Ok(());
+        }
+        Err(self.abort(Diagnostic::error(span, format!("this text is longer than {most} bytes"))))
     }
 
     /// Keeps a scope that a function literal refers to, so that it is dropped from here and never by way of a long
@@ -340,7 +391,14 @@ impl<'t> Evaluator<'t> {
         }
         let repeated = self.repeated.entry(message).or_default();
         *repeated += 1;
-        if *repeated <= MOST_REPEATED {
+        let crowded = self.crowded.entry(diagnostic.span).or_default();
+        *crowded += 1;
+        if *crowded > MOST_AT_ONE_PLACE && diagnostic.severity != Severity::Error {
+            if *crowded == MOST_AT_ONE_PLACE + 1 {
+                let message = "there is more to tell of this place than is shown";
+                self.diagnostics.push(Diagnostic { message: message.to_owned(), ..diagnostic });
+            }
+        } else if *repeated <= MOST_REPEATED {
             self.diagnostics.push(diagnostic);
         } else if *repeated == MOST_REPEATED + 1 {
             let message = format!("this was found in more places than are shown: {}", diagnostic.message);
@@ -348,14 +406,24 @@ impl<'t> Evaluator<'t> {
         }
     }
 
-    /// Adds a line of output.
+    /// Adds a line of output, unless there are too many or too long ones.
     pub(crate) fn echo(&mut self, span: Span, text: String) {
-        let limit = self.options.limits.echoes;
-        if self.echoes.len() < limit {
-            self.echoes.push(Diagnostic::note(span, format!("ECHO: {text}")));
-        } else if self.echoes.len() == limit {
-            self.echoes.push(Diagnostic::note(span, format!("the scene echoes more than {limit} lines")));
+        let most = self.options.limits.echoes;
+        if self.echoes.len() > most {
+            return;
         }
+        let message = match self.echo_bytes.checked_sub(text.len()) {
+            _ if self.echoes.len() == most => format!("the scene echoes more than {most} lines"),
+            Some(left) => {
+                self.echo_bytes = left;
+                format!("ECHO: {text}")
+            }
+            None => {
+                let most = self.options.limits.echo_bytes;
+                format!("this line is left out: the scene echoes more than {most} bytes")
+            }
+        };
+        self.echoes.push(Diagnostic::note(span, message));
     }
 
     fn with_calls(&self, mut diagnostic: Diagnostic) -> Diagnostic {

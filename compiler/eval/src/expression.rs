@@ -13,7 +13,10 @@ use crate::live::Live;
 use crate::scope::{Scope, Specials};
 use crate::suggest;
 use crate::value::operators::{self, condition};
-use crate::value::{Closure, Range, Value};
+use crate::value::{Closure, Elements, Range, Value};
+
+/// So many scopes are looked through in the time of one step.
+const SCOPES_PER_STEP: u64 = 8;
 
 /// What the end of an expression is.
 enum Tail {
@@ -45,9 +48,9 @@ impl<'t> Evaluator<'t> {
             ExpressionKind::Name(name) => self.variable(name, e.span, scope),
             ExpressionKind::Range { start, step, end } => self.range(start, step.as_ref(), end, e.span, scope),
             ExpressionKind::List(elements) => {
-                let mut values = Vec::with_capacity(elements.len());
+                let mut values = Elements::with_capacity(elements.len());
                 self.elements(elements, scope, &mut values)?;
-                self.list(values, e.span)
+                self.limited(Value::List(values.into()), e.span)
             }
             ExpressionKind::Unary(operator, operand) => {
                 let operand = self.expression(operand, scope)?;
@@ -58,7 +61,11 @@ impl<'t> Evaluator<'t> {
             ExpressionKind::Index(list, index) => self.index(list, index, scope),
             ExpressionKind::Member(value, name) => {
                 let value = self.expression(value, scope)?;
-                Ok(member(&value, &name.node))
+                let member = member(&value, &name.node);
+                if let (None, Value::List(_)) = (&member, &value) {
+                    self.warn(no_component(&name.node, name.span));
+                }
+                Ok(member.unwrap_or(Value::Undef))
             }
             ExpressionKind::Function(function) => {
                 self.capture(scope, e.span)?;
@@ -142,6 +149,7 @@ impl<'t> Evaluator<'t> {
                     Callee::BuiltIn(function) => {
                         return self.built_in(function, arguments, e.span, &scope).map(Tail::Value);
                     }
+                    Callee::NoFunction => return Ok(Tail::Value(Value::Undef)),
                 },
                 _ => return self.expression(e, &scope).map(Tail::Value),
             }
@@ -187,7 +195,13 @@ impl<'t> Evaluator<'t> {
 
     /// The value of a variable, if there is one of that name.
     pub(crate) fn known_variable(&mut self, name: &Name, span: Span, scope: &Rc<Scope>) -> Result<Option<Value>> {
-        let slot = if Specials::is_special(name) { self.specials.get(name).cloned() } else { scope.lookup(name) };
+        let slot = if Specials::is_special(name) {
+            self.specials.get(name).cloned()
+        } else {
+            let (slot, scopes) = scope.lookup(name);
+            self.charge(u64::from(scopes) / SCOPES_PER_STEP, span)?;
+            slot
+        };
         match slot {
             Some(Some(value)) => return Ok(Some(value)),
             Some(None) => return Err(Halt::Reported),
@@ -361,21 +375,38 @@ fn work(operator: BinaryOperator, a: &Value, b: &Value) -> u64 {
     }
 }
 
-/// `value.name`
-fn member(value: &Value, name: &str) -> Value {
+/// `value.name`, if a value of that kind has such a member.
+fn member(value: &Value, name: &str) -> Option<Value> {
     match value {
         Value::List(values) => {
-            let at = ["x", "y", "z"].iter().position(|known| *known == name);
-            at.and_then(|at| values.get(at).cloned()).unwrap_or(Value::Undef)
+            let places = components(name)?;
+            let component = |at: &usize| values.get(*at).cloned().unwrap_or(Value::Undef);
+            Some(match places.as_slice() {
+                [only] => component(only),
+                several => Value::list(several.iter().map(component).collect()),
+            })
         }
         Value::Range(range) => match name {
-            "begin" => Value::number(range.start),
-            "step" => Value::number(range.step),
-            "end" => Value::number(range.end),
-            _ => Value::Undef,
+            "begin" => Some(Value::number(range.start)),
+            "step" => Some(Value::number(range.step)),
+            "end" => Some(Value::number(range.end)),
+            _ => None,
         },
-        _ => Value::Undef,
+        _ => None,
     }
+}
+
+/// The places in a list that a swizzle names: one to four letters, all of places or all of colours.
+fn components(name: &str) -> Option<Vec<usize>> {
+    const MOST_LETTERS: usize = 4;
+    let named = |letters: &str| name.chars().map(|letter| letters.find(letter)).collect::<Option<Vec<_>>>();
+    let places = named("xyzw").or_else(|| named("rgba"))?;
+    (1..=MOST_LETTERS).contains(&places.len()).then_some(places)
+}
+
+fn no_component(name: &str, span: Span) -> Diagnostic {
+    Diagnostic::warning(span, format!("a list has no `{name}`, so that this is undef"))
+        .with_hint("components are `x`, `y`, `z`, `w` or `r`, `g`, `b`, `a`; several at once make a list, as in `v.xy`")
 }
 
 /// The value that a live number chooses, if that can be left open: numbers, truth values, and lists of them.

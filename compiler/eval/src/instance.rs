@@ -8,6 +8,8 @@ use chiaro_syntax::tree::{Instance, ModuleDefinition, Name, Statement};
 use chiaro_syntax::{Diagnostic, Span};
 
 use crate::evaluator::{Call, Children, Evaluator, Halt, Result, Root, Unit};
+use crate::geometry::OnlyChild;
+use crate::live::Live;
 use crate::plan::Plan;
 use crate::scope::{Scope, Specials};
 use crate::value::Value;
@@ -16,6 +18,9 @@ use crate::{foreign, geometry, suggest};
 /// The modules that are part of the language rather than geometry.
 pub(crate) const CONTROL: [&str; 9] =
     ["for", "intersection_for", "if", "let", "assign", "echo", "assert", "children", "child"];
+
+/// Those of them that make no more of their children than to take them as one.
+const GROUPING: [&str; 8] = ["for", "if", "let", "assign", "echo", "assert", "children", "child"];
 
 /// The work of moving a light or a camera, in steps.
 const ASIDE_STEPS: u64 = 200;
@@ -94,61 +99,71 @@ impl<'t> Evaluator<'t> {
         Ok(built)
     }
 
-    fn instance(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Built>> {
+    /// What an instance comes to: one solid at the most, or several where [`every`](Evaluator::every) of them counts.
+    fn instance(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Vec<Built>> {
         self.enter(instance.head)?;
         let order = self.instances;
         self.instances += 1;
         let (mark, calls, only_hull) = (self.specials.mark(), self.calls.len(), self.only_hull);
+        let every = self.every;
         // What is shown alone is not part of any hull around it.
         self.only_hull &= !instance.modifiers.root;
         let before = std::mem::take(&mut self.aside);
         let result = self.dispatched(instance, scope);
         let aside = std::mem::replace(&mut self.aside, before);
-        self.only_hull = only_hull;
+        (self.only_hull, self.every) = (only_hull, every);
         self.specials.restore(mark);
         self.calls.truncate(calls);
         self.leave();
-        let built = match result? {
-            Some(built) => Built { solid: built.solid.seen_from(instance.head), ..built },
-            None if aside.is_empty() => return Ok(None),
-            None => Built::new(Solid::new(SolidKind::Empty, instance.head), 1),
+        let made = match result? {
+            Some(made) if every || made.len() == 1 => made,
+            Some(made) => vec![self.union(made, instance.head)],
+            None if aside.is_empty() => return Ok(Vec::new()),
+            None => vec![Built::new(Solid::new(SolidKind::Empty, instance.head), 1)],
         };
-        self.count_solid(instance.head)?;
-        // Where there is light and no solid, there is no operand either.
-        let is_operand = aside.is_empty() || !matches!(built.solid.kind, SolidKind::Empty);
-        if built.depth > self.options.limits.solid_depth {
-            let message = format!("the solids here are nested more than {} deep", self.options.limits.solid_depth);
-            return Err(self.abort(Diagnostic::error(instance.head, message)));
+        let mut built = Vec::with_capacity(made.len());
+        for Built { solid, depth } in made {
+            self.count_solid(instance.head)?;
+            if depth > self.options.limits.solid_depth {
+                let message = format!("the solids here are nested more than {} deep", self.options.limits.solid_depth);
+                return Err(self.abort(Diagnostic::error(instance.head, message)));
+            }
+            built.push(Built { solid: solid.seen_from(instance.head), depth });
         }
         if instance.modifiers.root && self.root.as_ref().is_none_or(|first| order < first.order) {
-            self.root = Some(Root { order, solid: built.solid.clone(), lights: aside.lights.clone() });
+            let solid = self.union(built.clone(), instance.head).solid;
+            self.root = Some(Root { order, solid, lights: aside.lights.clone() });
         }
         if instance.modifiers.background {
-            return Ok(None);
+            return Ok(Vec::new());
+        }
+        if !aside.is_empty() {
+            // Where there is light and no solid, there is no operand either.
+            built.retain(|built| !matches!(built.solid.kind, SolidKind::Empty));
         }
         self.aside.append(aside);
-        Ok(is_operand.then_some(built))
+        Ok(built)
     }
 
-    fn dispatched(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Built>> {
+    /// What an instance comes to. That of a group is still apart.
+    fn dispatched(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Vec<Built>>> {
         let name = &instance.name.node;
-        if let Some(module) = self.user_module(name, scope)? {
+        let user_module = self.user_module(name, scope)?;
+        self.every &= user_module.is_none() && GROUPING.contains(&&**name);
+        if let Some(module) = user_module {
             return self.user_instance(module, instance, scope).map(Some);
         }
         match &**name {
-            "for" => {
-                let children = self.looped(instance, scope)?;
-                Ok(Some(self.union(children, instance.head)))
-            }
+            "for" => self.looped(instance, scope).map(Some),
             "intersection_for" => {
                 let children = self.looped(instance, scope)?;
-                self.built_in_module(instance, "intersection", Vec::new(), children, scope).map(Some)
+                let built = self.built_in_module(instance, "intersection", Vec::new(), children, scope)?;
+                Ok(Some(vec![built]))
             }
             "if" => self.conditional(instance, scope),
             "let" => {
                 let scope = self.bound_in_turn(&instance.arguments, scope)?;
-                let children = self.block(&instance.children, &scope, None)?;
-                Ok(Some(self.union(children, instance.head)))
+                self.block(&instance.children, &scope, None).map(Some)
             }
             "assign" => self.assign(instance, scope).map(Some),
             "echo" => {
@@ -160,14 +175,14 @@ impl<'t> Evaluator<'t> {
                 self.grouped(instance, scope)
             }
             "children" | "child" => self.given_children(instance, scope),
-            _ => self.geometry(instance, scope).map(Some),
+            _ => Ok(Some(vec![self.geometry(instance, scope)?])),
         }
     }
 
-    /// The children as one, if there are any.
-    fn grouped(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Built>> {
+    /// The children, if there are any.
+    fn grouped(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Vec<Built>>> {
         let children = self.block(&instance.children, scope, None)?;
-        Ok(if children.is_empty() { None } else { Some(self.union(children, instance.head)) })
+        Ok(if children.is_empty() { None } else { Some(children) })
     }
 
     fn looped(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Vec<Built>> {
@@ -181,19 +196,18 @@ impl<'t> Evaluator<'t> {
         Ok(all)
     }
 
-    fn conditional(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Built>> {
+    fn conditional(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Vec<Built>>> {
         let Some(condition) = instance.arguments.first() else { return Ok(None) };
         let truth = self.decided(&condition.value, scope, "whether something is there at all")?;
         if !truth && instance.otherwise.is_empty() {
             return Ok(None);
         }
         let branch = if truth { &instance.children } else { &instance.otherwise };
-        let children = self.block(branch, scope, None)?;
-        Ok(Some(self.union(children, instance.head)))
+        self.block(branch, scope, None).map(Some)
     }
 
     /// `assign(…)`: like `let`, but no value sees another.
-    fn assign(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Built> {
+    fn assign(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Vec<Built>> {
         let inner = Scope::within(scope);
         for argument in self.arguments(&instance.arguments, scope)? {
             match argument.name.map(|name| name.node) {
@@ -202,8 +216,7 @@ impl<'t> Evaluator<'t> {
                 None => self.warn(Diagnostic::warning(argument.span, "this value gets no name")),
             }
         }
-        let children = self.block(&instance.children, &Rc::new(inner), None)?;
-        Ok(self.union(children, instance.head))
+        self.block(&instance.children, &Rc::new(inner), None)
     }
 
     /// The module of that name, if the scene defines one.
@@ -227,7 +240,12 @@ impl<'t> Evaluator<'t> {
         Ok(None)
     }
 
-    fn user_instance(&mut self, module: UserModule<'t>, instance: &'t Instance, around: &Rc<Scope>) -> Result<Built> {
+    fn user_instance(
+        &mut self,
+        module: UserModule<'t>,
+        instance: &'t Instance,
+        around: &Rc<Scope>,
+    ) -> Result<Vec<Built>> {
         let UserModule { definition, scope: defining, unit } = module;
         let name = &instance.name.node;
         let arguments = self.arguments(&instance.arguments, around)?;
@@ -244,8 +262,7 @@ impl<'t> Evaluator<'t> {
         let children = self.body(definition, arguments, &defining);
         self.children.pop();
         self.modules.pop();
-        let children = children?;
-        Ok(self.union(children, instance.head))
+        Ok(vec![self.union(children?, instance.head)])
     }
 
     fn body(
@@ -267,7 +284,7 @@ impl<'t> Evaluator<'t> {
     }
 
     /// `children(…)`: what stands in the braces behind the instance of the module that this is written in.
-    fn given_children(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Built>> {
+    fn given_children(&mut self, instance: &'t Instance, scope: &Rc<Scope>) -> Result<Option<Vec<Built>>> {
         let arguments = self.arguments(&instance.arguments, scope)?;
         let Some(number) = scope.chain().find_map(|scope| scope.children) else {
             let message = format!("`{}` has a meaning only inside a module", instance.name.node);
@@ -285,8 +302,7 @@ impl<'t> Evaluator<'t> {
             None if &*instance.name.node == "child" => Some(vec![0]),
             None => None,
         };
-        let children = self.block(given.statements, &given.scope, selected.as_deref())?;
-        Ok(Some(self.union(children, instance.head)))
+        self.block(given.statements, &given.scope, selected.as_deref()).map(Some)
     }
 
     /// Which children an index means: a number, a list or a range.
@@ -294,10 +310,7 @@ impl<'t> Evaluator<'t> {
         let numbers: Vec<Value> = match &index.value {
             number @ Value::Number(_) => vec![number.clone()],
             Value::List(list) => list.to_vec(),
-            Value::Range(range) => {
-                self.check_range(range, index.span)?;
-                range.iter().map(Value::number).collect()
-            }
+            Value::Range(range) => self.listed(range, index.span)?.map(Value::number).collect(),
             other => {
                 let message =
                     format!("`children` takes a number, a list or a range, but this is {}", other.described());
@@ -334,14 +347,38 @@ impl<'t> Evaluator<'t> {
         arguments.retain(|argument| argument.name.as_ref().is_none_or(|name| !Specials::is_special(&name.node)));
         let only_hull = self.only_hull;
         self.only_hull = geometry::only_hull_counts(&instance.name.node, only_hull);
+        self.every = geometry::takes_every(&instance.name.node) && self.wants_every(&arguments)?;
         let children = self.block(&instance.children, scope, None)?;
-        self.only_hull = only_hull;
+        (self.only_hull, self.every) = (only_hull, false);
         self.built_in_module(instance, &instance.name.node, arguments, children, scope)
+    }
+
+    /// Whether what loops make is to count one by one.
+    fn wants_every(&mut self, arguments: &[geometry::Argument]) -> Result<bool> {
+        let is_it =
+            |argument: &&geometry::Argument| argument.name.as_ref().is_some_and(|name| &*name.node == geometry::EVERY);
+        match arguments.iter().rfind(is_it) {
+            Some(geometry::Argument { value: Value::Condition(live), span, .. }) => {
+                Err(Halt::Demote(Live::demotion(live.clone(), *span, "what the operands are")))
+            }
+            Some(argument) => Ok(argument.value.is_true()),
+            None => Ok(false),
+        }
+    }
+
+    /// The only child that is written of an instance, if there is one only.
+    fn only_child(&mut self, instance: &'t Instance) -> Option<OnlyChild> {
+        let plan = self.plan_id(&instance.children);
+        match self.plan(plan).instances.as_slice() {
+            [only] if GROUPING.contains(&&*only.name.node) => Some(OnlyChild::Several),
+            [_] => Some(OnlyChild::Operand),
+            _ => None,
+        }
     }
 
     fn built_in_module(
         &mut self,
-        instance: &Instance,
+        instance: &'t Instance,
         name: &str,
         arguments: Vec<geometry::Argument>,
         children: Vec<Built>,
@@ -359,6 +396,7 @@ impl<'t> Evaluator<'t> {
             sides,
             only_hull: self.only_hull,
             children,
+            only_child: self.only_child(instance),
             aside: &mut aside,
         };
         let mut reports = Vec::new();

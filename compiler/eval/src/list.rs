@@ -8,15 +8,15 @@ use chiaro_syntax::{Diagnostic, Span};
 use crate::evaluator::{Evaluator, Halt, Result};
 use crate::live::Live;
 use crate::scope::{Scope, Specials};
-use crate::value::{Range, Value};
+use crate::value::{Elements, List, Range, Value};
 
 impl<'t> Evaluator<'t> {
     /// Appends the values of a list's elements.
-    pub(crate) fn elements(&mut self, elements: &[Element], scope: &Rc<Scope>, values: &mut Vec<Value>) -> Result<()> {
+    pub(crate) fn elements(&mut self, elements: &[Element], scope: &Rc<Scope>, values: &mut Elements) -> Result<()> {
         elements.iter().try_for_each(|element| self.element(element, scope, values))
     }
 
-    fn element(&mut self, element: &Element, scope: &Rc<Scope>, values: &mut Vec<Value>) -> Result<()> {
+    fn element(&mut self, element: &Element, scope: &Rc<Scope>, values: &mut Elements) -> Result<()> {
         if let Element::Value(value) = element {
             let value = self.expression(value, scope)?;
             return self.push(value, values, element_span(element));
@@ -29,13 +29,13 @@ impl<'t> Evaluator<'t> {
         result
     }
 
-    fn comprehension(&mut self, element: &Element, scope: &Rc<Scope>, values: &mut Vec<Value>) -> Result<()> {
+    fn comprehension(&mut self, element: &Element, scope: &Rc<Scope>, values: &mut Elements) -> Result<()> {
         match element {
             Element::Value(_) => Ok(()),
             Element::Each(inner, span) => {
-                let mut lists = Vec::new();
+                let mut lists = Elements::with_capacity(1);
                 self.element(inner, scope, &mut lists)?;
-                lists.into_iter().try_for_each(|list| self.spread(list, *span, values))
+                List::from(lists).iter().try_for_each(|list| self.spread(list.clone(), *span, values))
             }
             Element::For(bindings, body, span) => {
                 self.for_each(bindings, scope, *span, &mut |evaluator, scope| evaluator.element(body, scope, values))
@@ -67,7 +67,7 @@ impl<'t> Evaluator<'t> {
         next: &[Argument],
         body: &Element,
         span: Span,
-        values: &mut Vec<Value>,
+        values: &mut Elements,
     ) -> Result<()> {
         let mut round = start.clone();
         for _ in 0..=self.options.limits.rounds {
@@ -107,8 +107,8 @@ impl<'t> Evaluator<'t> {
         };
         match value {
             Value::Range(range) => {
-                self.check_range(&range, binding.value.span)?;
-                range.iter().try_for_each(|number| round(self, Value::number(number)))
+                let mut numbers = self.listed(&range, binding.value.span)?;
+                numbers.try_for_each(|number| round(self, Value::number(number)))
             }
             Value::List(list) => list.iter().try_for_each(|value| round(self, value.clone())),
             Value::String(text) => text.chars().try_for_each(|c| round(self, Value::string(c.to_string()))),
@@ -127,17 +127,22 @@ impl<'t> Evaluator<'t> {
         Rc::new(inner)
     }
 
-    /// Makes sure that a range can be listed.
-    pub(crate) fn check_range(&mut self, range: &Range, span: Span) -> Result<()> {
+    /// The numbers of a range. Of one that never ends there are none, as in OpenSCAD, with a warning.
+    pub(crate) fn listed(&mut self, range: &Range, span: Span) -> Result<impl Iterator<Item = f64> + use<>> {
         let limit = self.options.limits.rounds;
-        if range.len() <= limit {
-            return self.charge(u64::from(range.len()), span);
+        let count = range.len();
+        if range.is_endless() {
+            let message = match range.step {
+                0.0 => "the step of this range is zero, so that it never ends",
+                _ => "this range never ends",
+            };
+            self.warn(Diagnostic::warning(span, message).with_label("none of its numbers is used"));
+        } else if count > limit {
+            return Err(self.error(Diagnostic::error(span, format!("this range has more than {limit} numbers"))));
         }
-        let message = match range.step {
-            0.0 => "the step of this range is zero, so that it never ends".to_owned(),
-            _ => format!("this range has more than {limit} numbers"),
-        };
-        Err(self.error(Diagnostic::error(span, message)))
+        let range = if range.is_endless() { Range::EMPTY } else { *range };
+        self.charge(u64::from(range.len()), span)?;
+        Ok(range.iter())
     }
 
     /// Whether a condition is true; a live one is demoted for that reason.
@@ -149,27 +154,24 @@ impl<'t> Evaluator<'t> {
     }
 
     /// Appends what a value that follows `each` holds.
-    fn spread(&mut self, value: Value, span: Span, values: &mut Vec<Value>) -> Result<()> {
+    fn spread(&mut self, value: Value, span: Span, values: &mut Elements) -> Result<()> {
         match value {
             Value::Undef => Ok(()),
             Value::List(list) => list.iter().try_for_each(|value| self.push(value.clone(), values, span)),
             Value::Range(range) => {
-                self.check_range(&range, span)?;
-                range.iter().try_for_each(|number| self.push(Value::number(number), values, span))
+                let mut numbers = self.listed(&range, span)?;
+                numbers.try_for_each(|number| self.push(Value::number(number), values, span))
             }
             Value::String(text) => text.chars().try_for_each(|c| self.push(Value::string(c.to_string()), values, span)),
             other => self.push(other, values, span),
         }
     }
 
-    fn push(&mut self, value: Value, values: &mut Vec<Value>, span: Span) -> Result<()> {
+    /// Appends a value to a list in the making, if that is within the limits.
+    pub(crate) fn push(&mut self, value: Value, values: &mut Elements, span: Span) -> Result<()> {
         self.charge(1, span)?;
-        if values.len() as u64 >= self.options.limits.list_values {
-            let message = format!("this list has more than {} values", self.options.limits.list_values);
-            return Err(self.abort(Diagnostic::error(span, message)));
-        }
         values.push(value);
-        Ok(())
+        self.check_lists(values.len(), values.weight(), span)
     }
 
     fn too_many_rounds(&mut self, span: Span) -> Halt {

@@ -13,6 +13,10 @@ use crate::value::Value;
 
 /// What the names of parameters begin with that are numbers in the text; no variable's name does.
 const LITERAL: char = '@';
+/// More parameters than this have one note for all of them.
+const MOST_NOTES: usize = 3;
+/// For how many of them a note for all shows where they decide.
+const MOST_PLACES: usize = 6;
 /// The scene's own file.
 const MAIN_FILE: FileId = FileId(0);
 
@@ -42,8 +46,8 @@ struct Literals<'t> {
 #[derive(Default)]
 pub(crate) struct Structural {
     keys: Vec<Key>,
-    /// One for each of them that has a name.
-    pub(crate) notes: Vec<Diagnostic>,
+    /// One for each of them that has a name, with that.
+    notes: Vec<(String, Diagnostic)>,
 }
 
 impl Structural {
@@ -63,6 +67,25 @@ impl Structural {
         self.keys.len() > before
     }
 
+    /// What there is to say about them: a note for each, or one for all if they are many.
+    pub(crate) fn notes(self) -> Vec<Diagnostic> {
+        if self.notes.len() <= MOST_NOTES {
+            return self.notes.into_iter().map(|(_, note)| note).collect();
+        }
+        let names: Vec<String> = self.notes.iter().map(|(name, _)| format!("`{name}`")).collect();
+        let message =
+            format!("{} decide the structure of the scene, so that changing them recompiles", names.join(", "));
+        let places = self.notes.into_iter().filter_map(|(name, note)| Some((name, note.span?, note.label?)));
+        let places: Vec<_> = places.take(MOST_PLACES).collect();
+        let first = places.first().map(|(_, place, _)| *place);
+        let note = Diagnostic::note(first, message);
+        vec![
+            places
+                .into_iter()
+                .fold(note, |note, (name, place, reason)| note.with_related(place, format!("`{name}`: {reason}"))),
+        ]
+    }
+
     fn add(&mut self, parameter: &LiveParameter, demotion: &Demotion) {
         let key = (parameter.name.clone(), parameter.component);
         if !self.keys.contains(&key) {
@@ -74,17 +97,18 @@ impl Structural {
     }
 }
 
-fn note(parameter: &LiveParameter, demotion: &Demotion) -> Diagnostic {
+fn note(parameter: &LiveParameter, demotion: &Demotion) -> (String, Diagnostic) {
     let name = match parameter.component {
         Some(component) => format!("{}[{component}]", parameter.name),
         None => parameter.name.to_string(),
     };
     let message = format!("`{name}` decides the structure of the scene here, so that changing it recompiles");
     let note = Diagnostic::note(demotion.span, message).with_label(demotion.reason);
-    match parameter.span {
+    let note = match parameter.span {
         Some(span) => note.with_related(span, "the parameter"),
         None => note,
-    }
+    };
+    (name, note)
 }
 
 impl<'t> Live<'t> {

@@ -1,7 +1,7 @@
 //! Reading the scene and every file it includes or uses.
 
 use chiaro_syntax::tree::{File, Name, Statement};
-use chiaro_syntax::{Diagnostic, Dialect, FileId, Severity, SourceFile, Sources, Span, Spanned, parse};
+use chiaro_syntax::{Diagnostic, Dialect, FileId, Severity, Sources, Span, Spanned, parse};
 use rustc_hash::FxHashMap;
 
 use crate::options::{Limits, World};
@@ -82,30 +82,28 @@ impl Loader<'_> {
     /// Reads the files that one file refers to.
     fn follow(&mut self, from: FileIndex) {
         let id = self.library.files[from].id;
-        let mut paths = Vec::new();
-        collect_paths(&self.library.files[from].tree.statements, &mut paths);
-        for path in paths {
-            let key = (id, path.node.clone());
+        let mut links = Vec::new();
+        collect_links(&self.library.files[from].tree.statements, &mut links);
+        for link in links {
+            let key = (id, link.path.node.clone());
             if !self.library.links.contains_key(&key)
-                && let Some(file) = self.file(id, &path)
+                && let Some(file) = self.file(id, &link)
             {
                 self.library.links.insert(key, file);
             }
         }
     }
 
-    /// The file that `path` names, read if it was not yet.
-    fn file(&mut self, from: FileId, path: &Spanned<Name>) -> Option<FileIndex> {
+    /// The file that a statement names, read if it was not yet.
+    fn file(&mut self, from: FileId, link: &Link) -> Option<FileIndex> {
+        let path = &link.path;
         if is_font(&path.node) {
             let message = "fonts are not read, because `text` is not supported yet";
             self.diagnostics.push(Diagnostic::warning(path.span, message));
             return None;
         }
         let Some(name) = self.world.find(&self.sources.get(from).name, &path.node) else {
-            let message = format!("can't find `{}`", path.node);
-            let error = Diagnostic::error(path.span, message)
-                .with_hint("paths are relative to the file they stand in, or to a library folder");
-            self.diagnostics.push(error);
+            self.diagnostics.push(link.missing());
             return None;
         };
         if let Some(known) = self.numbers.get(&name) {
@@ -117,9 +115,9 @@ impl Loader<'_> {
         }
         match self.world.read(&name) {
             Ok(bytes) => {
-                let text = String::from_utf8_lossy(&bytes).into_owned();
                 let number = self.library.files.len();
-                let id = self.sources.add(SourceFile::new(name.clone(), text));
+                let (id, warning) = self.sources.add_bytes(name.clone(), &bytes);
+                self.diagnostics.extend(warning);
                 self.numbers.insert(name, number);
                 self.parse_named(id, path.span);
                 Some(number)
@@ -151,16 +149,37 @@ fn is_font(path: &str) -> bool {
     extension.is_some_and(|extension| matches!(&*extension, "ttf" | "otf"))
 }
 
-/// The paths of all `include` and `use` statements, wherever they stand.
-fn collect_paths(statements: &[Statement], paths: &mut Vec<Spanned<Name>>) {
+/// An `include` or `use` statement.
+struct Link {
+    path: Spanned<Name>,
+    is_include: bool,
+}
+
+impl Link {
+    /// That there is no such file. What it would define is missed where it is used; but what it would draw is not, if
+    /// it is included.
+    fn missing(&self) -> Diagnostic {
+        let message = format!("can't find `{}`", self.path.node);
+        let diagnostic = if self.is_include {
+            Diagnostic::error(self.path.span, message)
+        } else {
+            Diagnostic::warning(self.path.span, message).with_label("nothing is used from there")
+        };
+        diagnostic.with_hint("paths are relative to the file they stand in, or to a library folder")
+    }
+}
+
+/// All `include` and `use` statements, wherever they stand.
+fn collect_links(statements: &[Statement], links: &mut Vec<Link>) {
     for statement in statements {
         match statement {
-            Statement::Include(path) | Statement::Use(path) => paths.push(path.clone()),
-            Statement::Block(block) => collect_paths(block, paths),
-            Statement::Module(module) => collect_paths(&module.body, paths),
+            Statement::Include(path) => links.push(Link { path: path.clone(), is_include: true }),
+            Statement::Use(path) => links.push(Link { path: path.clone(), is_include: false }),
+            Statement::Block(block) => collect_links(block, links),
+            Statement::Module(module) => collect_links(&module.body, links),
             Statement::Instance(instance) => {
-                collect_paths(&instance.children, paths);
-                collect_paths(&instance.otherwise, paths);
+                collect_links(&instance.children, links);
+                collect_links(&instance.otherwise, links);
             }
             Statement::Assignment(_) | Statement::Function(_) => {}
         }

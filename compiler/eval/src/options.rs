@@ -60,31 +60,43 @@ pub struct Limits {
     pub solid_depth: u32,
     /// Solids in total.
     pub solids: u64,
+    /// Elements of one list.
+    pub list_length: usize,
     /// Values in one list, those of its lists included.
     pub list_values: u64,
+    /// Values in all lists that there are at one time.
+    pub held_values: u64,
     /// Levels of lists in a list.
     pub list_depth: u32,
     /// Bytes of one text.
     pub string_bytes: usize,
+    /// Bytes of all texts that are made.
+    pub text_bytes: u64,
     /// Files read, and statements in all of them where an included file counts each time.
     pub statements: usize,
     /// Lines of `echo` output.
     pub echoes: usize,
+    /// Bytes of `echo` output.
+    pub echo_bytes: usize,
 }
 
 impl Default for Limits {
     fn default() -> Self {
         Self {
             rounds: 1_000_000,
-            steps: 500_000_000,
+            steps: 200_000_000,
             nesting: 60_000,
             solid_depth: 1_000,
-            solids: 2_000_000,
+            solids: 1_000_000,
+            list_length: 2_000_000,
             list_values: 10_000_000,
+            held_values: 30_000_000,
             list_depth: 20_000,
             string_bytes: 10_000_000,
-            statements: 5_000_000,
+            text_bytes: 1_000_000_000,
+            statements: 1_000_000,
             echoes: 10_000,
+            echo_bytes: 50_000_000,
         }
     }
 }

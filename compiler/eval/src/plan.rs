@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use chiaro_syntax::tree::{Assignment, Expression, FunctionLiteral, Instance, ModuleDefinition, Name, Statement};
-use chiaro_syntax::{Diagnostic, FileId, Sources};
-use rustc_hash::FxHashMap;
+use chiaro_syntax::{Diagnostic, FileId, Sources, Span};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::load::{FileIndex, Library};
 
@@ -50,7 +50,8 @@ pub(crate) fn plan<'t>(
     let numbers = FxHashMap::default();
     let including = Vec::new();
     let plan = Plan::default();
-    let mut planner = Planner { library, sources, plan, numbers, including, left: limit, diagnostics };
+    let said = FxHashSet::default();
+    let mut planner = Planner { library, sources, plan, numbers, including, left: limit, said, diagnostics };
     planner.statements(statements);
     planner.plan
 }
@@ -61,10 +62,12 @@ struct Planner<'t, 'a> {
     plan: Plan<'t>,
     /// Where in the plan's assignments a variable is.
     numbers: FxHashMap<&'t Name, usize>,
-    /// The files whose inclusion is under way.
-    including: Vec<FileIndex>,
+    /// The files whose inclusion is under way, each with the statement that includes it.
+    including: Vec<(FileIndex, Span)>,
     /// How many statements may follow; files that include each other twice grow without bound else.
     left: usize,
+    /// The places that something was said of: a file that is included twice says nothing twice.
+    said: FxHashSet<Span>,
     diagnostics: &'a mut Vec<Diagnostic>,
 }
 
@@ -76,7 +79,8 @@ impl<'t> Planner<'t, '_> {
             }
             self.left -= 1;
             if self.left == 0 {
-                self.diagnostics.push(Diagnostic::error(None, "the scene has too many statements"));
+                self.diagnostics.push(self.too_many());
+                return;
             }
             self.statement(statement);
         }
@@ -93,12 +97,13 @@ impl<'t> Planner<'t, '_> {
             Statement::Include(path) => {
                 let Some(file) = self.library.linked(path.span.file, &path.node) else { return };
                 let id = self.library.files[file].id;
-                if self.including.contains(&file) || id == path.span.file || self.is_main(id) {
-                    let message = format!("`{}` includes itself", path.node);
-                    self.diagnostics.push(Diagnostic::error(path.span, message));
+                let is_under_way = self.including.iter().any(|(other, _)| *other == file);
+                if is_under_way || id == path.span.file || self.is_main(id) {
+                    let message = format!("`{}` includes itself: it is left out here", path.node);
+                    self.say(Diagnostic::warning(path.span, message));
                     return;
                 }
-                self.including.push(file);
+                self.including.push((file, path.span));
                 self.statements(&self.library.files[file].tree.statements);
                 self.including.pop();
             }
@@ -131,7 +136,23 @@ impl<'t> Planner<'t, '_> {
             let warning = Diagnostic::warning(assignment.span, message)
                 .with_related(previous.span, "this value is overwritten")
                 .with_hint("variables have one value in a scope: the last one, even before it is assigned");
-            self.diagnostics.push(warning);
+            self.say(warning);
+        }
+    }
+
+    fn say(&mut self, diagnostic: Diagnostic) {
+        if diagnostic.span.is_none_or(|span| self.said.insert(span)) {
+            self.diagnostics.push(diagnostic);
+        }
+    }
+
+    fn too_many(&self) -> Diagnostic {
+        let place = self.including.first().map(|(_, place)| *place);
+        let error =
+            Diagnostic::error(place, "the scene has too many statements, counting files each time they are included");
+        match self.including.last() {
+            Some((_, innermost)) if Some(*innermost) != place => error.with_related(*innermost, "by way of this"),
+            _ => error,
         }
     }
 

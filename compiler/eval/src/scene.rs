@@ -23,7 +23,7 @@ pub struct Evaluation {
     /// The scene, if there is no error.
     pub scene: Option<Scene>,
     /// What there is to tell: the output of `echo` as notes in the order of execution, then everything else in the
-    /// order of the text.
+    /// order of the text, and in the end which parameters are not live.
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -69,10 +69,10 @@ pub fn evaluate(world: &dyn World, sources: &mut Sources, main: FileId, options:
         }
         diagnostics.extend(demotions.iter().map(unknown_number));
         diagnostics.extend(reports);
-        diagnostics.append(&mut structural.notes);
         diagnostics.sort_by_key(|diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
         let failed = has_errors(&diagnostics);
         diagnostics.splice(0..0, echoes);
+        diagnostics.append(&mut structural.notes());
         let scene = result.ok().filter(|_| !failed).map(|shown| shown.with(parameters));
         return Evaluation { scene, diagnostics };
     }
@@ -188,7 +188,7 @@ impl<'t> Evaluator<'t> {
             ("$vpf", Value::number(22.5)),
         ];
         for (name, value) in defaults {
-            self.specials.set(name.into(), Some(value));
+            self.specials.set_default(name.into(), value);
         }
     }
 

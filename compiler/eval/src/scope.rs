@@ -73,9 +73,14 @@ impl Scope {
         variables.position(name).map(|at| variables.entries[at].1.clone())
     }
 
-    /// The variable in this scope or the nearest one around it.
-    pub(crate) fn lookup(&self, name: &Name) -> Option<Slot> {
-        self.chain().find_map(|scope| scope.local(name))
+    /// The variable in this scope or the nearest one around it, and how many scopes were looked through.
+    pub(crate) fn lookup(&self, name: &Name) -> (Option<Slot>, u32) {
+        let mut looked_through = 0;
+        let slot = self.chain().find_map(|scope| {
+            looked_through += 1;
+            scope.local(name)
+        });
+        (slot, looked_through)
     }
 
     /// This scope and those around it, from the inside out.
@@ -154,6 +159,8 @@ impl Default for WellKnown {
 pub(crate) struct Specials {
     values: FxHashMap<Name, Vec<Slot>>,
     set: Vec<Name>,
+    /// What the language itself sets, where nothing in the scene does.
+    defaults: FxHashMap<Name, Slot>,
 }
 
 impl Specials {
@@ -164,7 +171,19 @@ impl Specials {
 
     /// The current value.
     pub(crate) fn get(&self, name: &Name) -> Option<&Slot> {
-        self.values.get(name).and_then(|values| values.last())
+        self.values.get(name).and_then(|values| values.last()).or_else(|| self.defaults.get(name))
+    }
+
+    /// Sets the value that the language gives a variable, below all that scenes set.
+    pub(crate) fn set_default(&mut self, name: Name, value: Value) {
+        self.defaults.insert(name, Some(value));
+    }
+
+    /// Sets a value as [`set`](Self::set) does, unless the scene has set one.
+    pub(crate) fn set_if_open(&mut self, name: &Name, slot: &Slot) {
+        if self.values.get(name).is_none_or(Vec::is_empty) {
+            self.set(name.clone(), slot.clone());
+        }
     }
 
     /// Sets a value, until [`restore`](Self::restore) is called with an earlier mark.
@@ -187,8 +206,8 @@ impl Specials {
         }
     }
 
-    /// All names that have been set.
+    /// All names that have been set, some of them twice.
     pub(crate) fn names(&self) -> impl Iterator<Item = &Name> {
-        self.values.keys()
+        self.values.keys().chain(self.defaults.keys())
     }
 }

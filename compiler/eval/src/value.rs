@@ -1,11 +1,11 @@
 //! Values of the language.
 
 mod compare;
+mod list;
 pub(crate) mod operators;
 mod print;
 pub(crate) mod text;
 
-use std::ops::Deref;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -13,6 +13,8 @@ use chiaro_solid::Scalar;
 use chiaro_syntax::tree::FunctionLiteral;
 
 use crate::scope::Scope;
+
+pub(crate) use list::{Elements, List, held};
 
 /// A value. Cloning one is cheap.
 #[derive(Clone, Debug)]
@@ -33,17 +35,6 @@ pub(crate) enum Value {
     Range(Range),
     /// A function literal with what it closes over.
     Function(Rc<Closure>),
-}
-
-/// A list of values.
-#[derive(Clone, Debug)]
-pub(crate) struct List(Rc<Items>);
-
-#[derive(Debug)]
-struct Items {
-    values: Vec<Value>,
-    depth: u32,
-    weight: u64,
 }
 
 /// A function literal with the scope it was evaluated in.
@@ -130,7 +121,7 @@ impl Value {
     }
 
     /// How many levels of lists it has.
-    fn depth(&self) -> u32 {
+    pub(crate) fn depth(&self) -> u32 {
         match self {
             Value::List(list) => list.depth(),
             _ => 0,
@@ -147,35 +138,10 @@ impl Value {
     }
 }
 
-impl List {
-    /// How many levels of lists there are, itself included. It is limited, so that lists can be walked by recursion.
-    pub(crate) fn depth(&self) -> u32 {
-        self.0.depth
-    }
-
-    /// How many values there are on all levels; shared ones count each time, since they are visited each time.
-    pub(crate) fn weight(&self) -> u64 {
-        self.0.weight
-    }
-}
-
-impl From<Vec<Value>> for List {
-    fn from(values: Vec<Value>) -> Self {
-        let depth = 1 + values.iter().map(Value::depth).max().unwrap_or(0);
-        let weight = values.iter().fold(1u64, |sum, value| sum.saturating_add(value.weight()));
-        Self(Rc::new(Items { values, depth, weight }))
-    }
-}
-
-impl Deref for List {
-    type Target = [Value];
-
-    fn deref(&self) -> &[Value] {
-        &self.0.values
-    }
-}
-
 impl Range {
+    /// One without any numbers.
+    pub(crate) const EMPTY: Range = Range { start: 1.0, step: 1.0, end: 0.0 };
+
     /// How many numbers it has; infinitely many count as `u32::MAX`. A step away from the end gives none, and so does
     /// a step of zero where there is nothing to step to.
     pub(crate) fn len(&self) -> u32 {
@@ -195,6 +161,11 @@ impl Range {
         // One unit in the last place more, so that [0 : 0.1 : 1] does not lose its end to rounding.
         let count = ((end - start) / step).next_up().floor();
         if count < f64::from(u32::MAX - 1) { count as u32 + 1 } else { u32::MAX }
+    }
+
+    /// Whether there is no last number, though there is a first one.
+    pub(crate) fn is_endless(&self) -> bool {
+        self.len() == u32::MAX && (self.step == 0.0 || self.start.is_infinite() || self.end.is_infinite())
     }
 
     /// The numbers in order.

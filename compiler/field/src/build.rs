@@ -240,6 +240,10 @@ fn hash_node(node: &Node, state: &mut impl Hasher) {
             point.hash(state);
             region.edges().for_each(|edge| hash_edge(edge, state));
         }
+        Node::Loft(loft, point) => {
+            point.hash(state);
+            loft.numbers().for_each(|number| number.to_bits().hash(state));
+        }
         Node::Polytope(triangles, point) => {
             point.hash(state);
             triangles.iter().flatten().flatten().for_each(|number| number.to_bits().hash(state));

@@ -137,6 +137,13 @@ impl Measure<'_> {
                 });
                 self.pull(Extent::exact(bounds), *point, frame)
             }
+            Node::Loft(loft, point) => {
+                let bounds = loft.bounds().map_or(Bounds::EMPTY, |(min, max)| Bounds {
+                    min: [min[0], min[1], f64::NEG_INFINITY],
+                    max: [max[0], max[1], f64::INFINITY],
+                });
+                self.pull(Extent::exact(bounds), *point, frame)
+            }
             Node::Polytope(triangles, point) => {
                 let corners = triangles.iter().flatten();
                 let bounds =
@@ -182,7 +189,7 @@ impl Measure<'_> {
     fn rounded(&self, id: NodeId, frame: PointId, known: &[Extent], memo: &mut Memo) -> Extent {
         let extent = self.child(id, frame, known, memo);
         match self.nodes[id.0 as usize] {
-            Node::Shape(..) | Node::Outline(..) | Node::Polytope(..) => extent,
+            Node::Shape(..) | Node::Outline(..) | Node::Loft(..) | Node::Polytope(..) => extent,
             _ => Extent { growth: 3f64.sqrt() * extent.growth, ..extent },
         }
     }
@@ -311,11 +318,11 @@ fn unextruded(plane: [Interval; 2], scale: [Interval; 2], twist: &Scalar) -> ([I
     let uniform = scale[0] == scale[1] && scale[0].is_point();
     let uneven = (scale[0].max / scale[1].min).max(scale[1].max / scale[0].min).max(1.0);
     let growth = if uniform { 1.0 } else { uneven };
-    let scaled = [plane[0] * levels[0], plane[1] * levels[1]];
-    if twist.is(0.0) {
-        return (scaled, growth);
-    }
-    let radius = scaled[0].magnitude().hypot(scaled[1].magnitude());
-    let around = Interval { min: -radius, max: radius };
-    ([around, around], growth)
+    let turned = if twist.is(0.0) {
+        plane
+    } else {
+        let radius = plane[0].magnitude().hypot(plane[1].magnitude());
+        [Interval { min: -radius, max: radius }; 2]
+    };
+    ([turned[0] * levels[0], turned[1] * levels[1]], growth)
 }

@@ -14,7 +14,7 @@
 
 use std::sync::Arc;
 
-use chiaro_plane::Region;
+use chiaro_plane::{Loft, Region};
 use chiaro_solid::{Affine, Joint, Material, Scalar};
 use chiaro_syntax::Span;
 use chiaro_vocabulary::{Kind, Row};
@@ -59,6 +59,8 @@ pub enum Node {
     Shape(&'static Row, Vec<Scalar>, PointId),
     /// A plane shape bounded by lines and arcs.
     Outline(Arc<Region>, PointId),
+    /// The distance, within its level, to the section of stages with flat sides: at a space point.
+    Loft(Arc<Loft>, PointId),
     /// A convex polytope, by the triangles of its surface, anticlockwise seen from outside.
     Polytope(Arc<[[[f64; 3]; 3]]>, PointId),
     /// The least (of a union) or greatest (of an intersection) of the children, or their joint.

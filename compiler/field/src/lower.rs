@@ -165,6 +165,7 @@ impl Lowering {
             SolidKind::Extrude { height, twist, scale, child } => {
                 self.extrude([height, twist, &scale[0], &scale[1]], child, context, span)
             }
+            SolidKind::Loft(loft) => self.loft(loft, context, span),
             SolidKind::Revolve { sweep, facets, child } => self.revolve(sweep.as_ref(), *facets, child, context, span),
             SolidKind::Slice(child) => self.slice(child, context),
         }

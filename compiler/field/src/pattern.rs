@@ -42,6 +42,7 @@ pub(crate) fn weights(graph: &Graph) -> Vec<u32> {
     for node in &graph.nodes {
         let pieces = match node {
             Node::Outline(region, _) => region.edges().count(),
+            Node::Loft(loft, _) => loft.sides(),
             Node::Polytope(triangles, _) => triangles.len(),
             _ => 0,
         };
@@ -201,6 +202,7 @@ impl<'a> Walk<'a> {
             Node::Nothing => self.key.push(1),
             Node::Shape(row, ..) => self.row(2, row),
             Node::Outline(region, _) => self.key.extend([3, drawings.place(outline_numbers(region))]),
+            Node::Loft(loft, _) => self.key.extend([18, drawings.place(loft.numbers().map(f64::to_bits).collect())]),
             Node::Polytope(triangles, _) => {
                 let numbers = triangles.iter().flatten().flatten().map(|x| x.to_bits()).collect();
                 self.key.extend([4, drawings.place(numbers)]);
@@ -334,6 +336,7 @@ impl Patterned<'_> {
             Node::Nothing => Node::Nothing,
             Node::Shape(row, arguments, point) => Node::Shape(row, self.several(first, arguments.len()), at(point)),
             Node::Outline(region, point) => Node::Outline(region.clone(), at(point)),
+            Node::Loft(loft, point) => Node::Loft(loft.clone(), at(point)),
             Node::Polytope(triangles, point) => Node::Polytope(triangles.clone(), at(point)),
             Node::Boolean(operation, joint, children) => {
                 let joint = joint.as_ref().map(|joint| Joint { radius: number(0), ..joint.clone() });

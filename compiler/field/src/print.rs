@@ -67,6 +67,9 @@ impl Printer<'_> {
             Node::Nothing => String::from("nothing"),
             Node::Shape(row, arguments, point) => format!("{} at q{}", self.call(row, arguments), point.0),
             Node::Outline(region, point) => format!("outline of {} edges at q{}", region.edges().count(), point.0),
+            Node::Loft(loft, point) => {
+                format!("loft in {} stages of {} sides at q{}", loft.stages().len(), loft.sides(), point.0)
+            }
             Node::Polytope(triangles, point) => format!("polytope of {} triangles at q{}", triangles.len(), point.0),
             Node::Boolean(operation, joint, children) => {
                 let name = match operation {

@@ -9,7 +9,7 @@ impl Node {
     /// The nodes that it is computed from.
     pub fn children(&self) -> &[NodeId] {
         match self {
-            Node::Nothing | Node::Shape(..) | Node::Outline(..) | Node::Polytope(..) => &[],
+            Node::Nothing | Node::Shape(..) | Node::Outline(..) | Node::Loft(..) | Node::Polytope(..) => &[],
             Node::Boolean(_, _, children) => children,
             Node::Negate(child)
             | Node::Adjust(_, _, child)
@@ -25,6 +25,7 @@ impl Node {
         match self {
             Node::Shape(_, _, point)
             | Node::Outline(_, point)
+            | Node::Loft(_, point)
             | Node::Polytope(_, point)
             | Node::Extrude(_, _, point)
             | Node::Taper(_, _, _, point)
@@ -45,6 +46,7 @@ impl Node {
             }
             Node::Nothing
             | Node::Outline(..)
+            | Node::Loft(..)
             | Node::Polytope(..)
             | Node::Boolean(_, None, _)
             | Node::Negate(_)
@@ -57,7 +59,9 @@ impl Node {
         let to_point = |id: &mut PointId| *id = points[id.0 as usize];
         match self {
             Node::Nothing => {}
-            Node::Shape(_, _, point) | Node::Outline(_, point) | Node::Polytope(_, point) => to_point(point),
+            Node::Shape(_, _, point) | Node::Outline(_, point) | Node::Loft(_, point) | Node::Polytope(_, point) => {
+                to_point(point)
+            }
             Node::Boolean(_, _, children) => children.iter_mut().for_each(to_node),
             Node::Negate(child) | Node::Adjust(_, _, child) => to_node(child),
             Node::Extrude(_, child, point) | Node::Taper(_, _, child, point) | Node::Confine(_, _, child, point) => {

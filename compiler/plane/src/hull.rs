@@ -12,6 +12,15 @@ use crate::region::{Contour, Edge, Point, Region, add, cross, distance, dot, on_
 /// How far chords may be from their arcs, as a part of the diagonal of all operands.
 const CHORD_TOLERANCE: f64 = 1e-5;
 
+/// The hull of no more edges than this is worked out from all of them.
+const FEW_EDGES: usize = 256;
+
+/// The most corners of the polygon that tells which edges can't touch the hull.
+const MOST_INNER_CORNERS: usize = 64;
+
+/// The most chords that all arcs together become.
+const MOST_CHORDS: usize = 4_000_000;
+
 /// How far an angle may be beyond the end of an arc, in radians, by rounding.
 const ANGLE_SLACK: f64 = 1e-9;
 
@@ -26,6 +35,7 @@ impl Region {
         }
         let Some((min, max)) = edges.iter().map(Edge::bounds).reduce(join) else { return Region::default() };
         let size = distance(min, max);
+        let edges = near_the_hull(edges, size);
         let corners = convex(touch_points(&edges, size * CHORD_TOLERANCE), size);
         let touched = touched(&edges, &corners);
         let contour = match touched.as_slice() {
@@ -87,14 +97,39 @@ struct Touched {
     last: Point,
 }
 
+/// The edges without those that surely don't touch the hull: whose discs lie inside a polygon of points of the regions.
+fn near_the_hull(edges: Vec<Edge>, size: f64) -> Vec<Edge> {
+    if edges.len() <= FEW_EDGES {
+        return edges;
+    }
+    let inner = convex(touch_points(&edges, 0.1 * size), size);
+    let some = inner.iter().step_by(inner.len().div_ceil(MOST_INNER_CORNERS).max(1));
+    let corners: Vec<Point> = some.map(|corner| corner.point).collect();
+    let walls: Vec<(Point, Point)> = corners
+        .iter()
+        .zip(corners.iter().cycle().skip(1))
+        .map(|(from, to)| (*from, unit([from[1] - to[1], to[0] - from[0]])))
+        .collect();
+    let depth = |point: Point| {
+        let depths = walls.iter().map(|(from, inwards)| dot(sub(point, *from), *inwards));
+        depths.fold(f64::INFINITY, f64::min)
+    };
+    let is_inside = |edge: &Edge| match *edge {
+        Edge::Line { from, .. } => depth(from) > 0.0,
+        Edge::Arc { center, radius, .. } => depth(center) > radius,
+    };
+    if walls.len() < 3 { edges } else { edges.into_iter().filter(|edge| !is_inside(edge)).collect() }
+}
+
 fn touch_points(edges: &[Edge], tolerance: f64) -> Vec<TouchPoint> {
+    let most_chords = (MOST_CHORDS / edges.len().max(1)).max(8) as f64;
     let mut points = Vec::new();
     for (edge, curve) in edges.iter().enumerate() {
         match *curve {
             Edge::Line { from, .. } => points.push(TouchPoint { point: from, edge }),
             Edge::Arc { center, radius, start, sweep } => {
                 let step = (2.0 * (1.0 - (tolerance / radius).min(0.5)).acos()).clamp(1e-7, 0.1);
-                let chords = (sweep.abs() / step).ceil().clamp(1.0, 1e5) as u32;
+                let chords = (sweep.abs() / step).ceil().clamp(1.0, most_chords) as u32;
                 let angle = |k| start + sweep * f64::from(k) / f64::from(chords);
                 let point = |k| TouchPoint { point: on_circle(center, radius, angle(k)), edge };
                 points.extend((0..=chords).map(point));

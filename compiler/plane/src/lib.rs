@@ -9,6 +9,7 @@ mod contour;
 mod flatten;
 mod hull;
 mod intersect;
+mod loft;
 mod measure;
 mod minkowski;
 mod offset;
@@ -18,5 +19,6 @@ mod tangle;
 mod transform;
 
 pub use flatten::{DEFAULT_TOLERANCE, default_tolerance};
+pub use loft::{Loft, Matrix, Side};
 pub use offset::Join;
 pub use region::{Contour, Edge, Point, Region};

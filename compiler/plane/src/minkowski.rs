@@ -19,12 +19,18 @@ use crate::region::{Contour, Edge, Point, Region, add, distance, on_circle};
 /// The most edges that the sums of edges may have in all.
 const MAX_SUM_EDGES: usize = 1 << 20;
 
+/// How many edges and crossings of edges all unions together may take.
+const MAX_WORK: f64 = 3e6;
+
+/// About how many edges of sums are united at once.
+const EDGES_AT_ONCE: usize = 256;
+
 /// Directions closer than this, in radians, are one.
 const SAME_DIRECTION: f64 = 1e-12;
 
 impl Region {
     /// All sums of a point of this region and a point of the other; empty if either is. `None` if that takes too long
-    /// to work out: for outlines of thousands of edges each.
+    /// to work out: for jagged outlines of hundreds of edges each.
     ///
     /// The arcs of convex regions stay arcs, and so do all when one region is a disc; others become chords of the
     /// [default tolerance](crate::default_tolerance).
@@ -61,27 +67,63 @@ impl Region {
 }
 
 /// The sum of any two regions, given convex parts whose outlines cover the outline of the second.
+///
+/// The sums of edges are united a few at a time, and the results in pairs: what lies inside vanishes early.
 fn general_sum(a: &Region, b: &Region, parts: &[Contour]) -> Option<Region> {
     let strokes = segments(a);
     let part_edges: usize = parts.iter().map(|part| part.edges.len() + 2).sum();
     if strokes.len().saturating_mul(part_edges) > MAX_SUM_EDGES {
         return None;
     }
-    let sums = strokes.iter().flat_map(|stroke| parts.iter().map(|part| convex_sum(stroke, part)));
-    let mut loops: Vec<Contour> = sums.collect();
-    // Where outlines do not meet, one region may lie inside a copy of the other.
-    for (copied, at) in [(a, b), (b, a)] {
-        let places = at.contours.iter().filter(|contour| contour.signed_area() > 0.0);
-        for place in places.filter_map(|contour| contour.edges.first()) {
-            loops.extend(copied.translate(place.start()).contours);
+    let Some(mut unions) = Unions::within(a, b) else { return Some(Region::default()) };
+    let mut united = Vec::new();
+    for part in parts {
+        let each = (EDGES_AT_ONCE / (part.edges.len() + 2)).max(1);
+        for strokes in strokes.chunks(each) {
+            united.push(unions.of(strokes.iter().map(|stroke| convex_sum(stroke, part)).collect())?);
         }
+        // Where outlines do not meet, one region may lie inside a copy of the other.
+        united.extend(part.edges.first().map(|edge| a.translate(edge.start())));
     }
-    let bounds = sensible_bounds(loops.iter().flat_map(|contour| &contour.edges));
-    let Some(mut overlay) = bounds.and_then(|bounds| Overlay::within(bounds, distance(bounds.0, bounds.1))) else {
-        return Some(Region::default());
-    };
-    overlay.add(&Region::of(loops), ShapeType::Subject);
-    Some(overlay.resolve(OverlayRule::Subject, FillRule::NonZero))
+    let places = a.contours.iter().filter(|contour| contour.signed_area() > 0.0);
+    united.extend(places.filter_map(|place| place.edges.first()).map(|edge| b.translate(edge.start())));
+    while united.len() > 1 {
+        let pairs = united.chunks(2).map(|pair| match pair {
+            [one, other] => unions.of([one.contours.as_slice(), &other.contours].concat()),
+            alone => Some(Region::of(alone.iter().flat_map(|region| region.contours.clone()).collect())),
+        });
+        united = pairs.collect::<Option<Vec<_>>>()?;
+    }
+    united.pop()
+}
+
+/// Unions on one lattice, as far as the work they take is within bounds.
+struct Unions {
+    bounds: (Point, Point),
+    /// How many edges, and crossings of edges, may follow.
+    left: f64,
+}
+
+impl Unions {
+    /// Unions of parts of the sum of two regions; `None` if one of them has no sensible extent.
+    fn within(a: &Region, b: &Region) -> Option<Unions> {
+        let [a, b] = [sensible_bounds(a.edges())?, sensible_bounds(b.edges())?];
+        Some(Unions { bounds: (add(a.0, b.0), add(a.1, b.1)), left: MAX_WORK })
+    }
+
+    /// The points around which contours wind in sum; `None` if that takes too long to work out.
+    fn of(&mut self, contours: Vec<Contour>) -> Option<Region> {
+        let region = Region::of(contours);
+        self.left -= region.edges().count() as f64 + Region::crossings_estimate(std::slice::from_ref(&region));
+        if self.left < 0.0 {
+            return None;
+        }
+        let Some(mut overlay) = Overlay::within(self.bounds, distance(self.bounds.0, self.bounds.1)) else {
+            return Some(Region::default());
+        };
+        overlay.add(&region, ShapeType::Subject);
+        Some(overlay.resolve(OverlayRule::Subject, FillRule::NonZero))
+    }
 }
 
 /// The flattened edges of a region, each as a contour there and back.

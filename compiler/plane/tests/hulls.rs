@@ -70,3 +70,46 @@ fn convex_sums_are_exact() {
     let area = stadium.minkowski(&square).unwrap().area();
     assert!((area - (17.0 + std::f64::consts::PI)).abs() < 1e-9, "{area}");
 }
+
+#[test]
+fn hulls_of_many_discs_are_those_of_the_outermost() {
+    let spiral = |k: u32| {
+        let angle = 2.4 * f64::from(k);
+        let reach = 40.0 * (f64::from(k) / 5000.0).sqrt();
+        Region::disc([reach * angle.cos(), reach * angle.sin()], 1.0 + 0.3 * f64::from(k % 7))
+    };
+    let discs: Vec<Region> = (0..5000).map(spiral).collect();
+    let hull = Region::hull(&discs);
+    for direction in directions() {
+        let reach = |region: &Region| match region.contours[0].edges[0] {
+            chiaro_plane::Edge::Arc { center, radius, .. } => {
+                center[0] * direction[0] + center[1] * direction[1] + radius
+            }
+            chiaro_plane::Edge::Line { .. } => f64::NEG_INFINITY,
+        };
+        let farthest = discs.iter().map(reach).fold(f64::NEG_INFINITY, f64::max);
+        let found = support(&corners(std::slice::from_ref(&hull)), direction);
+        assert!((found - farthest).abs() < 5e-3, "{found} and {farthest}");
+    }
+}
+
+/// A star with as many points, turned.
+fn star(points: u32, turn: f64) -> Region {
+    let corner = |k: u32| {
+        let angle = std::f64::consts::PI * f64::from(k) / f64::from(points) + turn;
+        let radius = if k.is_multiple_of(2) { 10.0 } else { 6.0 };
+        [radius * angle.cos(), radius * angle.sin()]
+    };
+    Region::polygon(&(0..2 * points).map(corner).collect::<Vec<_>>(), None)
+}
+
+#[test]
+fn sums_of_jagged_outlines_end() {
+    let sum = star(30, 0.0).minkowski(&star(30, 0.01)).unwrap();
+    let (min, max) = sum.bounds().unwrap();
+    assert!((max[0] - 20.0).abs() < 0.1 && (min[0] + 20.0).abs() < 0.1);
+    assert!(sum.contains([0.0, 0.0]) && sum.contains([14.0, 0.0]) && !sum.contains([15.0, 15.0]));
+    assert_eq!(sum.contours.len(), 1);
+    // Of too many corners there is no sum, rather than one after minutes.
+    assert_eq!(star(3000, 0.0).minkowski(&star(3000, 0.01)), None);
+}

@@ -1,6 +1,6 @@
 //! What is too large for straight-line code and is read from a storage buffer.
 
-use chiaro_plane::{Edge, Region};
+use chiaro_plane::{Edge, Region, Side};
 
 /// The rows to upload to [`TABLES`](crate::bindings::TABLES), 16 bytes each.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -108,6 +108,14 @@ impl TablesBuilder {
     pub(crate) fn polytope(&mut self, triangles: &[[[f64; 3]; 3]]) -> Entries {
         self.entries(3, |rows| {
             rows.extend(triangles.iter().flatten().map(|&[x, y, z]| [x, y, z, 0.0].map(single)));
+        })
+    }
+
+    /// One stage of a loft: where each side starts, below and above, and where it ends.
+    pub(crate) fn stage(&mut self, sides: &[Side]) -> Entries {
+        self.entries(2, |rows| {
+            let row = |[below, above]: [[f64; 2]; 2]| [below[0], below[1], above[0], above[1]].map(single);
+            rows.extend(sides.iter().flat_map(|side| [row(side.from), row(side.to)]));
         })
     }
 

@@ -55,6 +55,10 @@ fn describe(kind: &SolidKind) -> (String, Vec<&Solid>) {
         SolidKind::Shell(thickness, child) => (format!("shell {}", number(thickness)), vec![child]),
         SolidKind::Twist(rate, child) => (format!("twist {} per mm", angle(rate)), vec![child]),
         SolidKind::Extrude { height, twist, scale, child } => (describe_extrusion(height, twist, scale), vec![child]),
+        SolidKind::Loft(loft) => {
+            let (stages, sides) = (loft.stages().len(), loft.sides());
+            (format!("loft {} in {stages} stages of {sides} sides", number(&loft.height().into())), vec![])
+        }
         SolidKind::Revolve { sweep, facets, child } => (describe_revolution(sweep.as_ref(), *facets), vec![child]),
         SolidKind::Slice(child) => ("slice".into(), vec![child]),
     }

@@ -10,7 +10,7 @@
 
 use std::sync::Arc;
 
-use chiaro_plane::Region;
+use chiaro_plane::{Loft, Region};
 use chiaro_syntax::Span;
 use chiaro_vocabulary::Row;
 
@@ -78,11 +78,13 @@ pub enum SolidKind {
         /// How far the top is turned against the bottom, in radians, anticlockwise seen from above. (OpenSCAD's
         /// twist counts clockwise.)
         twist: Scalar,
-        /// How the top is scaled against the bottom, in x and y; not negative.
+        /// How the top is scaled against the bottom, along the fixed x and y after it has been turned; not negative.
         scale: [Scalar; 2],
         /// The plane shape.
         child: Arc<Solid>,
     },
+    /// Stages between plane outlines at successive heights, with flat sides.
+    Loft(Arc<Loft>),
     /// A plane shape turned about z: its x is the distance from the axis, its y the height. Only what lies at x ≥ 0
     /// is used; the evaluator has mirrored what lay at the other side.
     Revolve {
@@ -153,6 +155,7 @@ impl Solid {
             | SolidKind::SphereHull(_)
             | SolidKind::Twist(..)
             | SolidKind::Extrude { .. }
+            | SolidKind::Loft(_)
             | SolidKind::Revolve { .. } => Some(Dimension::Space),
             SolidKind::Boolean { children, .. } => children.first().and_then(|child| child.dimension()),
             SolidKind::Transform(_, child)

@@ -43,6 +43,7 @@ impl Provenance {
                 | SolidKind::Empty
                 | SolidKind::Shape(..)
                 | SolidKind::Region(_)
+                | SolidKind::Loft(_)
                 | SolidKind::SphereHull(_) => continue,
             };
             alone = Solid::new(kind, around.span);

@@ -22,5 +22,5 @@ pub use diagnostic::{Diagnostic, Label, Severity, Suggestion};
 pub use lexer::tokens;
 pub use parser::{Dialect, MAX_FILE_BYTES, MAX_NODES, parse};
 pub use printer::print;
-pub use source::{FileId, SourceFile, Sources, Span, Spanned};
+pub use source::{FileId, SourceFile, Sources, Span, Spanned, decode};
 pub use token::{Token, TokenKind};

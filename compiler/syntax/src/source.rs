@@ -4,6 +4,8 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::diagnostic::Diagnostic;
+
 /// The number of a file in [`Sources`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FileId(pub u32);
@@ -59,12 +61,30 @@ impl<T> Spanned<T> {
     }
 }
 
+/// The text of a file's bytes: UTF-8, but for bytes that are none, which count as in Latin-1. Of those, the place of
+/// the first one that is more than a space comes with it.
+pub fn decode(bytes: &[u8]) -> (String, Option<usize>) {
+    const NO_BREAK_SPACE: u8 = 0xa0;
+    let mut text = String::with_capacity(bytes.len());
+    let mut first = None;
+    for chunk in bytes.utf8_chunks() {
+        text.push_str(chunk.valid());
+        for byte in chunk.invalid() {
+            if *byte != NO_BREAK_SPACE {
+                first.get_or_insert(text.len());
+            }
+            text.push(char::from(*byte));
+        }
+    }
+    (text, first)
+}
+
 /// One file's name and text.
 #[derive(Clone, Debug)]
 pub struct SourceFile {
     /// The name diagnostics show, and that relative `use` and `include` paths are resolved against.
     pub name: String,
-    /// The whole text. Bytes that are no UTF-8 have been replaced before.
+    /// The whole text.
     pub text: Arc<str>,
     line_starts: Vec<u32>,
 }
@@ -107,6 +127,20 @@ impl Sources {
         FileId(self.files.len() as u32 - 1)
     }
 
+    /// Adds a file that has these bytes and answers its number. A warning, if they are no UTF-8.
+    pub fn add_bytes(&mut self, name: impl Into<String>, bytes: &[u8]) -> (FileId, Option<Diagnostic>) {
+        let (text, odd) = decode(bytes);
+        let wrong = odd.and_then(|place| Some((place, text[place..].chars().next()?)));
+        let file = self.add(SourceFile::new(name, text));
+        let warning = wrong.map(|(place, character)| {
+            let message = format!("this byte is no UTF-8, and counts as `{character}`");
+            Diagnostic::warning(Span::new(file, place..place + character.len_utf8()), message)
+                .with_label("bytes like this one count as in Latin-1")
+                .with_hint("save the file as UTF-8")
+        });
+        (file, warning)
+    }
+
     /// The file of that number.
     pub fn get(&self, id: FileId) -> &SourceFile {
         &self.files[id.0 as usize]
@@ -120,5 +154,18 @@ impl Sources {
     /// Every file with its number.
     pub fn iter(&self) -> impl Iterator<Item = (FileId, &SourceFile)> {
         self.files.iter().enumerate().map(|(index, file)| (FileId(index as u32), file))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::decode;
+
+    #[test]
+    fn bytes_that_are_no_utf8_count_as_latin_1() {
+        assert_eq!(decode("aé".as_bytes()), ("aé".into(), None));
+        assert_eq!(decode(b"cube(\xa03);"), ("cube(\u{a0}3);".into(), None));
+        assert_eq!(decode(b"\xa0caf\xe9 \xfc"), ("\u{a0}café ü".into(), Some(5)));
+        assert_eq!(decode(b"\xe2\x82"), ("â\u{82}".into(), Some(0)));
     }
 }

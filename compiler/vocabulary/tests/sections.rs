@@ -14,14 +14,14 @@ fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
 }
 
 #[test]
-fn an_extrusion_scales_and_then_turns_its_levels() {
+fn an_extrusion_turns_and_then_scales_its_levels() {
     let mut random = Random(1);
     for _ in 0..200 {
         let q = random.point::<2>(5.0);
         let (height, twist, t) = (random.within(1.0, 9.0), random.within(-5.0, 5.0), random.within(0.0, 1.0));
         let top: [f64; 2] = [random.within(0.1, 2.0), random.within(0.1, 2.0)];
-        let scaled = [0, 1].map(|axis| q[axis] * (1.0 - t + t * top[axis]));
-        let [x, y] = turned(scaled, twist * t);
+        let level = turned(q, twist * t);
+        let [x, y] = [0, 1].map(|axis| level[axis] * (1.0 - t + t * top[axis]));
         let found = call("section_extrude", &[&[x, y, height * t, height, twist], &top]);
         assert!(length([found[0] - q[0], found[1] - q[1]]) < 1e-9);
     }

@@ -17,6 +17,22 @@ fn outline_line(state: vec2<f32>, p: vec2<f32>, a: vec2<f32>, b: vec2<f32>) -> v
     return vec2(min(state.x, dot(gap, gap)), select(state.y, -state.y, crossed));
 }
 
+// Of a solid in stages from z = 0 to height, all as high as each other: the number of the stage that is asked at z, and
+// how far up in it that is, from 0 to 1.
+fn loft_level(z: f32, height: f32, stages: f32) -> vec2<f32> {
+    let level = clamp(z / height, 0.0, 1.0) * stages;
+    let stage = min(floor(level), stages - 1.0);
+    return vec2(stage, level - stage);
+}
+
+// Adds the line from a to b, whose ends are where t, from 0 to 1, is between those below and those above.
+fn loft_side(
+    state: vec2<f32>, p: vec2<f32>, t: f32,
+    a_below: vec2<f32>, a_above: vec2<f32>, b_below: vec2<f32>, b_above: vec2<f32>,
+) -> vec2<f32> {
+    return outline_line(state, p, mix(a_below, a_above, t), mix(b_below, b_above, t));
+}
+
 // Adds the arc around pivot from a over sweep radians to b, clockwise if negative, at most a full turn (then
 // a = b). a and b must be the very numbers its neighbours have, however they round: what the ray crosses is
 // the chord, and then the other side of the arc if p is in the circle and on the arc's side of the chord.

@@ -16,11 +16,11 @@ fn section_slice(p: vec3<f32>) -> vec2<f32> {
     return p.xy;
 }
 
-// An upright solid from z = 0 to height whose levels are scaled from 1 to scale_top and then turned from 0 to
-// twist radians, anticlockwise seen from above.
+// An upright solid from z = 0 to height whose levels are turned from 0 to twist radians, anticlockwise seen from
+// above, and then scaled from 1 to scale_top along the fixed x and y.
 fn section_extrude(p: vec3<f32>, height: f32, twist: f32, scale_top: vec2<f32>) -> vec2<f32> {
     let t = clamp(p.z / height, 0.0, 1.0);
-    return turned_back(p.xy, twist * t) / max(mix(vec2(1.0), scale_top, t), vec2(1e-4));
+    return turned_back(p.xy / max(mix(vec2(1.0), scale_top, t), vec2(1e-4)), twist * t);
 }
 
 // The distance at p from the distance in the section above, where lengths are those of p divided by the

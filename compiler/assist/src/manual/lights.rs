@@ -7,6 +7,7 @@ const LUMINANCE: Parameter = named("luminance", "cd/m²", "", "how bright the su
 const COLOR: Parameter = named("color", "", "\"white\"", "the filter before white light: a name or [r, g, b]");
 const TWO_SIDED: Parameter = named("two_sided", "", "false", "whether it shines from its back too");
 const AIM: Parameter = named("aim", "", "[0, 0, 1]", "the direction that it shines in, as [x, y, z]");
+const SUN_AIM: Parameter = named("aim", "", "[0, 0, -1]", "the direction that it shines in, as [x, y, z]");
 const VISIBLE: Parameter = named("visible", "", "true", "whether the camera sees the light itself");
 const SHADOWS: Parameter = named("shadows", "", "", "the algorithm that draws its shadows, if it is not the picture's");
 const DIAMETER: Parameter = named("d", "mm", "", "diameter, instead of r");
@@ -77,7 +78,7 @@ pub(super) const LIGHTS: &[Described] = &[
             named("illuminance", "lx", "100000", "what falls on a surface that faces it"),
             LUMINANCE,
             COLOR,
-            AIM,
+            SUN_AIM,
             VISIBLE,
             SHADOWS,
         ],
@@ -101,7 +102,7 @@ pub(super) const LIGHTS: &[Described] = &[
         &[
             parameter("eye", "mm", "!", "where it stands, as [x, y, z]"),
             parameter("target", "mm", "[0, 0, 0]", "what it looks at"),
-            parameter("fov", "°", "22.5", "the vertical field of view"),
+            parameter("fov", "°", "", "the vertical field of view; that of $vpf, if it is not given"),
         ],
         "From where the scene is seen, z upwards.",
         "camera(eye = [100, -200, 150], target = [0, 0, 20], fov = 30);",

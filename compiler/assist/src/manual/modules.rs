@@ -6,6 +6,7 @@ use super::{Described, Parameter, described, named, parameter};
 const JOINT: &[Parameter] = &[
     named("r", "mm", "", "radius with which the operands meet; without, edges are sharp"),
     named("joint", "", "\"fillet\"", "how they meet: \"fillet\", \"chamfer\" or \"smooth\""),
+    named("every", "", "false", "whether what loops, conditions and children() below it make counts one by one"),
 ];
 
 /// The bindings of loops and `let`, whose names are the scene's.
@@ -116,7 +117,7 @@ pub(super) const MODULES: &[Described] = &[
     .with_children(),
     described(
         "multmatrix",
-        &[parameter("m", "", "!", "the matrix: 3 or 4 rows of 4 numbers")],
+        &[parameter("m", "", "", "the matrix: 3 or 4 rows of 4 numbers; what is missing is as in the identity")],
         "Transforms its children by an affine matrix.",
         "multmatrix([[1, 0.5, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]) cube(10);",
     )
@@ -134,7 +135,7 @@ pub(super) const MODULES: &[Described] = &[
     described(
         "color",
         &[
-            parameter("c", "", "!", "a name, \"#rrggbb\" or [r, g, b, a] with numbers from 0 to 1"),
+            parameter("c", "", "", "a name, \"#rrggbb\" or [r, g, b, a] with numbers from 0 to 1"),
             parameter("alpha", "", "1", "opacity from 0 to 1"),
             named("roughness", "", "", "from 0, a mirror, to 1, chalk"),
             named("metallic", "", "", "0 for plastics, 1 for metals"),
@@ -168,11 +169,16 @@ pub(super) const MODULES: &[Described] = &[
         "linear_extrude",
         &[
             parameter("height", "mm", "100", "how far up"),
-            parameter("v", "mm", "[0, 0, 1]", "the direction and, without a height, how far"),
+            parameter("v", "mm", "", "the direction and, without a height, how far; if it is not given, straight up"),
             parameter("scale", "", "1", "how the top is scaled, one number or [x, y]"),
             parameter("center", "", "false", "whether the plane z = 0 is its middle instead of its bottom"),
             parameter("twist", "°", "0", "how far the top is turned, clockwise seen from above"),
-            parameter("slices", "", "", "of no effect: curves are true curves"),
+            parameter(
+                "slices",
+                "",
+                "",
+                "number of flat-sided stages of a twist, up to 12; without or above, a true curve",
+            ),
             parameter("segments", "", "", "of no effect: curves are true curves"),
             named("h", "mm", "", "height"),
             named("r", "mm", "", "radius of rounded edges, without twist and scale; the outer size stays"),
@@ -185,7 +191,12 @@ pub(super) const MODULES: &[Described] = &[
         "rotate_extrude",
         &[
             parameter("angle", "°", "360", "how far to turn, anticlockwise"),
-            parameter("start", "°", "0", "where to start, from the x axis"),
+            parameter(
+                "start",
+                "°",
+                "",
+                "where to start, from the x axis: with an angle 0, if it is not given, else 180",
+            ),
             named("a", "°", "", "angle"),
             named("r", "mm", "", "radius of rounded edges; the outer size stays"),
         ],
@@ -202,7 +213,7 @@ pub(super) const MODULES: &[Described] = &[
     .with_children(),
     described(
         "twist",
-        &[parameter("rate", "° / mm", "0", "how far it turns for each millimetre, anticlockwise seen from above")],
+        &[parameter("rate", "° / mm", "!", "how far it turns for each millimetre, anticlockwise seen from above")],
         "Turns its children about z in proportion to the height.",
         "twist(rate = 3) translate([0, 0, 20]) cube([10, 10, 40], center = true);",
     )

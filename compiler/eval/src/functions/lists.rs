@@ -4,7 +4,7 @@ use chiaro_syntax::Diagnostic;
 
 use super::{BuiltIn, Invocation, row};
 use crate::evaluator::{Evaluator, Result};
-use crate::value::Value;
+use crate::value::{Elements, Value};
 
 pub(super) const TABLE: &[BuiltIn] = &[row("len", length), row("concat", concat), row("lookup", lookup)];
 
@@ -27,15 +27,15 @@ fn length(evaluator: &mut Evaluator, call: &Invocation) -> Result<Value> {
 
 /// All arguments as one list; those that are no lists are elements.
 fn concat(evaluator: &mut Evaluator, call: &Invocation) -> Result<Value> {
-    let mut values = Vec::new();
+    let mut values = Elements::with_capacity(call.arguments.len());
     for argument in &call.arguments {
-        match &argument.value {
-            Value::List(list) => values.extend(list.iter().cloned()),
-            other => values.push(other.clone()),
-        }
-        evaluator.charge(1, call.span)?;
+        let elements = match &argument.value {
+            Value::List(list) => &list[..],
+            other => std::slice::from_ref(other),
+        };
+        elements.iter().try_for_each(|value| evaluator.push(value.clone(), &mut values, call.span))?;
     }
-    evaluator.list(values, call.span)
+    evaluator.limited(Value::List(values.into()), call.span)
 }
 
 /// The value at a key, linearly between the entries `[key, value]` of a table, which need not be sorted.

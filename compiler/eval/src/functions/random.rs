@@ -35,8 +35,8 @@ fn rands(evaluator: &mut Evaluator, call: &Invocation) -> Result<Value> {
     let min = if min.is_finite() { min } else { -f64::MAX / 2.0 };
     let max = if max.is_finite() { max } else { f64::MAX / 2.0 };
     let count = if count.is_finite() { count.abs().trunc() } else { 1.0 };
-    if count > evaluator.options.limits.list_values as f64 {
-        let message = format!("this makes more than {} random numbers", evaluator.options.limits.list_values);
+    if count > evaluator.options.limits.list_length as f64 {
+        let message = format!("this makes more than {} random numbers", evaluator.options.limits.list_length);
         return Err(evaluator.abort(Diagnostic::error(call.span, message)));
     }
     if call.arguments.len() == 4 {

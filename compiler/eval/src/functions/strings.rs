@@ -1,8 +1,10 @@
 //! Functions of strings.
 
+use chiaro_syntax::Span;
+
 use super::{BuiltIn, Invocation, row};
 use crate::evaluator::{Evaluator, Result};
-use crate::value::{Trouble, Value, text};
+use crate::value::{Value, text};
 
 pub(super) const TABLE: &[BuiltIn] = &[row("str", str), row("chr", chr), row("ord", ord)];
 
@@ -18,8 +20,9 @@ fn str(evaluator: &mut Evaluator, call: &Invocation) -> Result<Value> {
             Ok(text) => joined.push_str(&text),
             Err(trouble) => return evaluator.or_undef(Err(trouble), argument.span),
         }
+        evaluator.check_text(joined.len(), argument.span)?;
     }
-    string(evaluator, call, joined)
+    evaluator.text(joined, call.span)
 }
 
 /// The characters with these code points, given as numbers, lists or ranges.
@@ -27,29 +30,26 @@ fn chr(evaluator: &mut Evaluator, call: &Invocation) -> Result<Value> {
     let mut text = String::new();
     for argument in &call.arguments {
         evaluator.charge(argument.value.weight(), argument.span)?;
-        if let Value::Range(range) = &argument.value {
-            evaluator.check_range(range, argument.span)?;
-        }
-        if let Err(trouble) = characters(&argument.value, &mut text) {
-            return evaluator.or_undef(Err(trouble), argument.span);
-        }
+        characters(evaluator, &argument.value, argument.span, &mut text)?;
     }
-    string(evaluator, call, text)
+    evaluator.text(text, call.span)
 }
 
-fn characters(value: &Value, text: &mut String) -> std::result::Result<(), Trouble> {
+/// Appends the characters that a value means.
+fn characters(evaluator: &mut Evaluator, value: &Value, span: Span, text: &mut String) -> Result<()> {
     match value {
-        Value::Number(number) => {
-            let Some(code) = number.constant() else {
-                return Err(Trouble::Demote(number.clone(), "a character's code"));
-            };
-            text.extend(character(code));
+        Value::Number(_) => {
+            let code = evaluator.constant(value, span, "a character's code")?;
+            text.extend(code.and_then(character));
+            Ok(())
         }
-        Value::List(list) => list.iter().try_for_each(|value| characters(value, text))?,
-        Value::Range(range) => text.extend(range.iter().filter_map(character)),
-        _ => {}
+        Value::List(list) => list.iter().try_for_each(|value| characters(evaluator, value, span, text)),
+        Value::Range(range) => {
+            text.extend(evaluator.listed(range, span)?.filter_map(character));
+            evaluator.check_text(text.len(), span)
+        }
+        _ => Ok(()),
     }
-    Ok(())
 }
 
 /// The character of that code point; there is none of 0.
@@ -71,10 +71,4 @@ fn ord(evaluator: &mut Evaluator, call: &Invocation) -> Result<Value> {
             Ok(Value::Undef)
         }
     }
-}
-
-fn string(evaluator: &mut Evaluator, call: &Invocation, text: String) -> Result<Value> {
-    // Texts count by their bytes, so that a program can't fill the memory with them.
-    evaluator.charge(text.len() as u64 / 64, call.span)?;
-    evaluator.limited(Value::string(text), call.span)
 }

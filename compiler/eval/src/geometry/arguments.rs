@@ -109,9 +109,9 @@ impl Instance<'_> {
         }
     }
 
-    /// A truth value that has to be known; false if it is not given.
-    pub(super) fn flag(&mut self, parameter: &str) -> Result<bool, Stop> {
-        let truth = self.truth(parameter).unwrap_or(Scalar::ZERO);
+    /// A truth value that has to be known.
+    pub(super) fn flag(&mut self, parameter: &str, default: bool) -> Result<bool, Stop> {
+        let Some(truth) = self.truth(parameter) else { return Ok(default) };
         Ok(decide::sign(&truth, self.place(parameter), "a truth value that decides the shape")?.is_positive())
     }
 

@@ -87,6 +87,10 @@ impl Balls {
                 let corners = corners(&outline(child)?).ok_or_else(|| not_balls(solid, span))?;
                 self.add_images(map, extruded(&corners, height, scale), solid, span)
             }
+            SolidKind::Loft(loft) => {
+                let corner = |corner: [f64; 3]| (corner.map(Scalar::from), Scalar::ZERO);
+                self.add_images(map, loft.corners().map(corner).collect(), solid, span)
+            }
             SolidKind::Revolve { sweep: None, facets: Some(sides), child } => {
                 let corners = corners(&outline(child)?).ok_or_else(|| not_balls(solid, span))?;
                 self.add_images(map, revolved(&corners, *sides), solid, span)

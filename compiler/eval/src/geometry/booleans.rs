@@ -8,9 +8,13 @@ use chiaro_syntax::{Diagnostic, Span};
 use super::decide::{self, Sign};
 use super::instance::{Instance, Module, error};
 use super::make::{empty, is_empty};
-use super::{Built, Stop};
+use super::{Built, OnlyChild, Stop};
 
-const JOINT: &[&str] = &["r", "joint"];
+/// The argument with which what loops below a module make are its operands, one by one.
+pub(crate) const EVERY: &str = "every";
+
+const OPERATIONS: [&str; 3] = ["union", "difference", "intersection"];
+const JOINT: &[&str] = &["r", "joint", EVERY];
 
 pub(super) const MODULES: &[Module] = &[
     Module { name: "union", positional: &[], named: JOINT, build: union },
@@ -19,6 +23,11 @@ pub(super) const MODULES: &[Module] = &[
     Module { name: "group", positional: &[], named: &[], build: group },
     Module { name: "render", positional: &[], named: &[], build: group },
 ];
+
+/// Whether a module knows [`EVERY`].
+pub(crate) fn takes_every(module: &str) -> bool {
+    OPERATIONS.contains(&module)
+}
 
 /// What some children are together. Empty ones are dropped, and so are those of another dimension than the first.
 pub(crate) fn union_of(children: Vec<Arc<Solid>>, span: Span, diagnostics: &mut Vec<Diagnostic>) -> Arc<Solid> {
@@ -43,6 +52,14 @@ fn intersection(instance: &mut Instance) -> Built {
 
 fn boolean(instance: &mut Instance, operation: Boolean) -> Built {
     let joint = read_joint(instance)?;
+    let every = instance.flag(EVERY, false)?;
+    if let (Some(_), false, Some(only)) = (&joint, every, instance.only_child) {
+        let lonely = Diagnostic::warning(instance.place("r"), "there is one operand only, so that nothing is joined");
+        instance.report(match only {
+            OnlyChild::Several => lonely.with_hint("`every = true` joins what loops, conditions and `children()` make"),
+            OnlyChild::Operand => lonely.with_hint("what is to be joined stands in braces: `{ … }`"),
+        });
+    }
     let children = std::mem::take(&mut instance.children);
     let mut warnings = Vec::new();
     let solid = combined(operation, joint, children, instance.head, &mut warnings);

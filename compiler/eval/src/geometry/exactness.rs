@@ -24,7 +24,7 @@ pub(super) fn class(solid: &Solid) -> Class {
         SolidKind::Offset(by, child) if by.range().min >= 0.0 => outside_at_best(class(child)),
         SolidKind::Offset(..) => Class::Bound,
         SolidKind::Shell(_, child) if class(child) == Class::Exact => Class::ExactOutside,
-        SolidKind::Shell(..) | SolidKind::Twist(..) | SolidKind::Slice(_) => Class::Bound,
+        SolidKind::Shell(..) | SolidKind::Twist(..) | SolidKind::Loft(_) | SolidKind::Slice(_) => Class::Bound,
         SolidKind::Extrude { twist, scale, child, .. } if is_straight(twist, scale) => class(child),
         SolidKind::Revolve { sweep: None, facets: None, child } => class(child),
         SolidKind::Extrude { .. } | SolidKind::Revolve { .. } => Class::Bound,

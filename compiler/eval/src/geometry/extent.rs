@@ -81,8 +81,13 @@ pub(super) fn outer_box(solid: &Solid) -> Bounds {
             let bounds = outer_box(child);
             Bounds::new(bounds.axis(0), bounds.axis(1), Interval::ALL)
         }
+        SolidKind::Loft(loft) => corners_box(loft.corners()),
         SolidKind::Extrude { .. } | SolidKind::Twist(..) => Bounds::ALL,
     }
+}
+
+fn corners_box(corners: impl Iterator<Item = [f64; 3]>) -> Bounds {
+    corners.fold(Bounds::EMPTY, |all, corner| all.union(&Bounds { min: corner, max: corner }))
 }
 
 fn region_box(region: &Region) -> Bounds {

@@ -13,6 +13,7 @@ use super::instance::{Instance, Module, error};
 use super::make::{self, empty, half, is_empty, moved, radians, region, shape, transformed};
 use super::outline::{grown_region, opened, outline};
 use super::pieces::{Ball, Prism};
+use super::stages::{Change, staged};
 use super::{Built, Stop};
 
 pub(super) const MODULES: &[Module] = &[
@@ -42,9 +43,15 @@ fn linear_extrude(instance: &mut Instance) -> Built {
             return Err(error(instance.place("r"), "the edges of a twisted or scaled extrusion cannot be rounded yet"));
         }
         None => {
-            // OpenSCAD's twist turns clockwise.
-            let twist = radians(-twist);
-            Solid::new(SolidKind::Extrude { height: height.clone(), twist, scale, child }, instance.head)
+            let change = Change { height: &height, twist: &twist, scale: &scale };
+            match staged(instance, &change, &child)? {
+                Some(stages) => stages,
+                None => {
+                    // OpenSCAD's twist turns clockwise.
+                    let twist = radians(-twist);
+                    Solid::new(SolidKind::Extrude { height: height.clone(), twist, scale, child }, instance.head)
+                }
+            }
         }
     };
     let leaning = lean(&x, &y, &height, solid, instance.head);
@@ -252,7 +259,7 @@ fn projection(instance: &mut Instance) -> Built {
     if is_empty(&child) {
         return Ok(child);
     }
-    if instance.flag("cut")? {
+    if instance.flag("cut", false)? {
         Ok(Solid::new(SolidKind::Slice(child), instance.head))
     } else {
         shadow(&child, instance.head)

@@ -20,7 +20,7 @@ pub enum Facets {
 }
 
 /// Up to how many sides a polygon is taken for a shape.
-const MOST_SIDES_OF_A_SHAPE: f64 = 12.0;
+pub(super) const MOST_SIDES_OF_A_SHAPE: f64 = 12.0;
 
 /// From how many sides on nobody sees a difference: their corners stand out by 0.0005 % of the radius.
 const MOST_SIDES: f64 = 1000.0;

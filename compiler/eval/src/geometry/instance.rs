@@ -9,7 +9,7 @@ use super::arguments::{self, Bound};
 use super::booleans::union_of;
 use super::facets::Facets;
 use super::make::is_empty;
-use super::{Aside, Built, Call, Stop};
+use super::{Aside, Built, Call, OnlyChild, Stop};
 use crate::value::Value;
 
 /// One built-in module.
@@ -38,6 +38,8 @@ pub(super) struct Instance<'a> {
     pub(super) only_hull: bool,
     /// What the children came to.
     pub(super) children: Vec<Arc<Solid>>,
+    /// The only child that is written, if there is one only.
+    pub(super) only_child: Option<OnlyChild>,
     /// What the children have put aside.
     pub(super) aside: &'a mut Aside,
     pub(super) arguments: Vec<Bound>,
@@ -61,6 +63,7 @@ impl<'a> Instance<'a> {
             facets,
             only_hull: call.only_hull,
             children: call.children,
+            only_child: call.only_child,
             aside: call.aside,
             arguments,
             diagnostics,

@@ -77,11 +77,12 @@ fn rect_light(instance: &mut Instance) -> Built {
 fn tube_light(instance: &mut Instance) -> Built {
     let radius = instance.radius("r", "d").unwrap_or(Scalar::ONE);
     check_size(&radius, Least::More, instance.place_of_radius())?;
-    let name = if instance.value("length").is_some() { "length" } else { "h" };
-    if name == "length" && instance.value("h").is_some() {
+    let length = instance.number("length");
+    if length.is_some() && instance.value("h").is_some() {
         instance.warn(instance.place("h"), "`h` is ignored, because `length` is given too");
     }
-    let length = instance.number(name).unwrap_or(Scalar::ONE);
+    let name = if length.is_some() { "length" } else { "h" };
+    let length = length.or_else(|| instance.number("h")).unwrap_or(Scalar::ONE);
     check_size(&length, Least::More, instance.place(name))?;
     lamp(instance, Emitter::Tube { radius, length }, Affine::identity())
 }
@@ -138,8 +139,8 @@ fn shine(instance: &mut Instance, emitter: Emitter, strength: Strength, placemen
         emitter,
         strength,
         color: tint(instance, "color").unwrap_or([Scalar::ONE, Scalar::ONE, Scalar::ONE]),
-        two_sided: instance.flag("two_sided")?,
-        visible: instance.value("visible").is_none() || instance.flag("visible")?,
+        two_sided: instance.flag("two_sided", false)?,
+        visible: instance.flag("visible", true)?,
         shadows: shadows(instance)?,
     };
     instance.aside.lights.push(PlacedLight { light, placement, span: instance.head });
@@ -148,13 +149,10 @@ fn shine(instance: &mut Instance, emitter: Emitter, strength: Strength, placemen
 
 /// The luminance, if it is given; it counts more than what else says how bright a light is.
 fn luminance(instance: &mut Instance, other: &str) -> Result<Option<Strength>, Stop> {
-    if instance.value("luminance").is_none() {
-        return Ok(None);
-    }
+    let Some(luminance) = instance.number("luminance") else { return Ok(None) };
     if instance.value(other).is_some() {
         instance.warn(instance.place(other), format!("`{other}` is ignored, because `luminance` is given too"));
     }
-    let Some(luminance) = instance.number("luminance") else { return Ok(None) };
     check_brightness(&luminance, "luminance", instance.place("luminance"))?;
     Ok(Some(Strength::Luminance(luminance)))
 }

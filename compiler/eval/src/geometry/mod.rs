@@ -28,6 +28,7 @@ mod planes;
 mod polyhedra;
 mod resize;
 mod solids;
+mod stages;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]
@@ -47,7 +48,7 @@ use crate::settings::Settings;
 use crate::value::Value;
 
 pub(crate) use aside::{Aside, PlacedCamera};
-pub(crate) use booleans::union_of;
+pub(crate) use booleans::{EVERY, takes_every, union_of};
 pub use colors::color_names;
 pub use facets::Facets;
 pub(crate) use hull::only_hull_counts;
@@ -68,8 +69,19 @@ pub(crate) struct Call<'a> {
     pub(crate) only_hull: bool,
     /// What the children came to, in order, the empty ones included (they count as operands).
     pub(crate) children: Vec<Arc<Solid>>,
+    /// The only child that is written, if there is one only.
+    pub(crate) only_child: Option<OnlyChild>,
     /// What the children have put aside; the instance moves it, and adds its own.
     pub(crate) aside: &'a mut Aside,
+}
+
+/// A child without others beside it in the text.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum OnlyChild {
+    /// One solid.
+    Operand,
+    /// A loop, a condition or the like, which may make several.
+    Several,
 }
 
 /// An argument of a [`Call`].

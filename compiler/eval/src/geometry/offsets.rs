@@ -27,7 +27,7 @@ fn offset(instance: &mut Instance) -> Built {
     let Some(by) = radius.is_none().then_some(delta).flatten() else {
         return grown(radius.unwrap_or(Scalar::ONE), child, instance.head);
     };
-    let join = if instance.flag("chamfer")? { Join::Chamfer } else { Join::SHARP };
+    let join = if instance.flag("chamfer", false)? { Join::Chamfer } else { Join::SHARP };
     let by = decide::constant(&by, instance.place("delta"), "an offset with sharp corners")?;
     Ok(region(grown_region(&child, by, join)?, instance.head))
 }

@@ -66,7 +66,7 @@ fn instantiate(instance: &Instance, settings: &Settings, warnings: &mut Vec<Diag
     let only_hull = false;
     let mut aside = Aside::default();
     let (name, head) = (&*instance.name.node, instance.head);
-    let call = Call { name, head, arguments, sides, only_hull, children, aside: &mut aside };
+    let call = Call { name, head, arguments, sides, only_hull, children, only_child: None, aside: &mut aside };
     build(call, settings, warnings).unwrap_or_else(|| panic!("there is no module `{}`", instance.name.node))
 }
 

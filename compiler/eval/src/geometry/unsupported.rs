@@ -37,6 +37,12 @@ fn refuse(instance: &mut Instance) -> Built {
 
 fn hint(name: &str) -> Option<&'static str> {
     match name {
+        "text" => Some("letters can be drawn with `polygon`; `*` in front of it leaves it out"),
+        "import" => {
+            Some("`include` and `use` take programs and dumps, but no meshes; `*` in front of it leaves it out")
+        }
+        "surface" => Some("extrusions, one for each step of height, come near it; `*` in front of it leaves it out"),
+        "roof" => Some("over a rectangle, `linear_extrude(…, scale = …)` makes one; `*` in front of it leaves it out"),
         "import_stl" | "import_off" | "import_dxf" => Some("OpenSCAD's name for it is `import` by now"),
         "dxf_linear_extrude" => Some("OpenSCAD's way to write it is `linear_extrude() import(…)` by now"),
         "dxf_rotate_extrude" => Some("OpenSCAD's way to write it is `rotate_extrude() import(…)` by now"),

@@ -71,6 +71,7 @@ fn witnesses(solid: &Arc<Solid>) -> Result<Vec<Point>, Stop> {
             let points = of_outline(&outline(child)?);
             Ok(points.iter().flat_map(|[x, y]| [[*x, *y, 0.0], [*x, *y, height]]).collect())
         }
+        SolidKind::Loft(loft) => Ok(loft.corners().collect()),
         SolidKind::Revolve { sweep: None, facets: None, child } => {
             let points = of_outline(&outline(child)?);
             Ok(points.iter().flat_map(|[r, z]| ring(*r, *z)).collect())

@@ -107,10 +107,120 @@ fn files_are_included_and_used() {
     ];
     let run = |text| run_with(text, &files, Default::default());
     assert_eq!(run("include <in.scad>\na = 5; m();").echoes, ["\"in\"", "\"m\", 5, 6"]);
-    assert_eq!(run("use <lib.scad>\nc = 1; $k = 2; echo(f()); g();").echoes, ["30", "30, 7"]);
+    assert_eq!(run("use <lib.scad>\nc = 1; echo(f()); g();").echoes, ["30", "30, 7"]);
     assert_eq!(run("use <lib.scad>\nuse <other.scad>\necho(f());").echoes, ["4"]);
     assert_eq!(run("use <lib.scad>\necho(c);").errors.len(), 1);
     assert_eq!(run("include <in.scad>\ninclude <in.scad>\n").echoes.len(), 2);
+}
+
+#[test]
+fn callers_come_before_the_top_level_of_used_files() {
+    let files = [
+        ("cell.scad", "$cell = undef; $fn = 6; function cell() = $cell; module with(c) { $cell = c; children(); }"),
+        ("size.scad", "use <cell.scad>\n$fn = 8; function sides() = $fn; function both() = [cell(), sides()];"),
+    ];
+    let run = |text: &str| {
+        let outcome = run_with(&format!("use <cell.scad>\nuse <size.scad>\n{text}"), &files, Default::default());
+        assert!(outcome.errors.is_empty(), "{text}: {:?}", outcome.errors);
+        outcome.echoes.join("; ")
+    };
+    // Where no caller says anything, a file's own top level does.
+    assert_eq!(run("echo(cell(), sides());"), "undef, 8");
+    assert_eq!(run("with(5) { s = cell(); echo(s); }"), "5");
+    assert_eq!(run("with(5) echo(both());"), "[5, 6]");
+    assert_eq!(run("$fn = 48; echo(sides()); module m() { $fn = 9; echo(sides()); } m();"), "48; 9");
+    assert_eq!(run("echo(sides($fn = 0), let ($cell = 1) cell());"), "0, 1");
+}
+
+#[test]
+fn components_are_read_by_their_letters() {
+    let cases = [
+        ("[1, 2, 3].xy, [1, 2, 3].zyx, [1, 2, 3, 4].wx", "[1, 2], [3, 2, 1], [4, 1]"),
+        ("[1, 2, 3].r, [1, 2, 3, 4].a, [1, 2, 3].gb, [1, 2].xxyy", "1, 4, [2, 3], [1, 1, 2, 2]"),
+        ("[1, 2].z, [1, 2].xz, [].xy", "undef, [1, undef], [undef, undef]"),
+    ];
+    for (expression, expected) in cases {
+        assert_eq!(value(expression), expected, "{expression}");
+    }
+    for odd in ["xg", "xyzwx", "length", "s"] {
+        let outcome = run(&format!("echo([1, 2].{odd});"));
+        let warning = format!("a list has no `{odd}`, so that this is undef");
+        assert_eq!((&*outcome.echoes, &*outcome.warnings), (&["undef".to_owned()][..], &[warning][..]));
+    }
+}
+
+#[test]
+fn zeros_have_signs() {
+    assert_eq!(value("1 / sin(-180), 1 / sin(360), 1 / cos(270), 1 / tan(180)"), "-inf, inf, -inf, -inf");
+    assert_eq!(value("atan2(sin(-180), cos(-180)), atan2(-0, -1), sin(180)"), "-180, -180, 0");
+}
+
+#[test]
+fn what_is_no_function_or_never_ends_is_warned_of() {
+    let warned = |text: &str| {
+        let outcome = run(text);
+        assert!(outcome.errors.is_empty() && outcome.warnings.len() == 1, "{text}: {outcome:?}");
+        (outcome.echoes.join("; "), outcome.warnings[0].clone())
+    };
+    let no_function = "this is a number, which can't be called".to_owned();
+    assert_eq!(warned("x = 3; echo(x(4));"), ("undef".into(), no_function.clone()));
+    assert_eq!(warned("echo([(1 + 2)(4)]);"), ("[undef]".into(), no_function));
+    let endless = |text: &str| warned(text).1.contains("never ends");
+    for text in ["for (i = [0 : 0 : 5]) cube(i);", "x = [for (i = [0 : 1 / 0]) i];", "x = chr([1 : 0 : 9]);"] {
+        assert!(endless(text), "{text}");
+    }
+    assert_eq!(warned("echo([each [0 : 0 : 5], 1]);").0, "[1]");
+}
+
+#[test]
+fn every_takes_what_groups_make_one_by_one() {
+    let solid = |text: &str| {
+        let outcome = run(text);
+        assert!(outcome.errors.is_empty() && outcome.warnings.is_empty(), "{text}: {outcome:?}");
+        outcome.solid.expect(text)
+    };
+    let three = "cube(1); translate([2, 0, 0]) cube(1); translate([4, 0, 0]) cube(1);";
+    let at = |x: &str| format!("translate([{x}, 0, 0]) cube(1);");
+    for operation in ["union", "difference", "intersection"] {
+        let joined = solid(&format!("{operation}(r = 1) {{ {three} }}"));
+        for body in [
+            format!("for (x = [0, 2, 4]) {}", at("x")),
+            format!("for (x = [0]) {{ {} for (y = [2, 4]) if (true) {} }}", at("x"), at("y")),
+            format!("let (a = 1) {{ {} if (a > 2) sphere(9); else for (y = [2, 4]) {} }}", at("0"), at("y")),
+            format!("echo() for (x = [0 : 2]) assert(true) {}", at("2 * x")),
+        ] {
+            assert_eq!(solid(&format!("{operation}(r = 1, every = true) {body}")), joined, "{body}");
+        }
+        let module = format!("module all() {operation}(r = 1, every = true) children();");
+        assert_eq!(solid(&format!("{module} all() {{ {three} }}")), joined);
+        assert_eq!(solid(&format!("{module} all() for (x = [0, 2, 4]) {}", at("x"))), joined);
+    }
+    // What is moved or painted as one, or made by a module, is one.
+    let apart = solid("union(r = 1) { union() { cube(1); sphere(1); } cube(3); }");
+    for one in ["group()", "union()", "render()", "m()"] {
+        let text =
+            format!("module m() children(); union(r = 1, every = true) {{ {one} {{ cube(1); sphere(1); }} cube(3); }}");
+        assert_eq!(solid(&text), apart, "{one}");
+    }
+    // Without a radius there is nothing to it but for a difference, which is of the first.
+    assert_eq!(
+        solid("difference(every = true) for (i = [0 : 1]) cube(2 - i);"),
+        solid("difference() { cube(2); cube(1); }")
+    );
+    assert_eq!(solid("union(every = true) for (i = [0 : 1]) cube(2 - i);"), solid("union() { cube(2); cube(1); }"));
+}
+
+#[test]
+fn a_joint_of_one_operand_is_warned_of() {
+    let warnings = |text: &str| run(text).warnings;
+    let lonely = ["there is one operand only, so that nothing is joined"];
+    assert_eq!(warnings("union(r = 6) for (i = [0 : 1]) cube(i + 1);"), lonely);
+    assert_eq!(warnings("module m() difference(r = 2) children(); m() { cube(2); cube(1); }"), lonely);
+    assert_eq!(warnings("intersection(r = 2) cube(2);"), lonely);
+    for fine in ["union(r = 0) cube(1);", "union() cube(1);", "union(r = 2, every = true) for (i = [0]) cube(1);"] {
+        assert!(warnings(fine).is_empty(), "{fine}");
+    }
+    assert!(warnings("union(r = 2) { cube(1); if (false) cube(2); }").is_empty());
 }
 
 #[test]

@@ -57,10 +57,15 @@ fn missing_and_circular_includes_are_found() {
     let run = |text| run_with(text, &files, Default::default());
     let circular = run("include <a.scad>\necho(x);");
     assert_eq!(circular.echoes, ["1"]);
-    assert!(matches!(&circular.errors[..], [error] if error.ends_with("`a.scad` includes itself")), "{circular:?}");
+    assert_eq!(circular.warnings, ["`a.scad` includes itself: it is left out here"]);
     let font = run("use <fonts/Gothic.TTF>\necho(1);");
     assert_eq!((&*font.echoes, font.errors.len()), (&["1".to_owned()][..], 0));
     assert_eq!(font.warnings, ["fonts are not read, because `text` is not supported yet"]);
+    let main = [("main.scad", "")];
+    let itself = run_with("include <main.scad>\ncube(1);", &main, Default::default());
+    assert_eq!((itself.errors.len(), itself.solid.is_some()), (0, true), "{itself:?}");
+    let unused = run("use <c.scad>\ncube(1);");
+    assert_eq!((&*unused.warnings, unused.solid.is_some()), (&["can't find `c.scad`".to_owned()][..], true));
     let missing = run("include <c.scad>\ncube(what);");
     assert!(matches!(&missing.errors[..], [error] if error.contains("can't find `c.scad`")), "{missing:?}");
 }

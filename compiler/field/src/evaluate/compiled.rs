@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use chiaro_plane::{Edge, Region};
+use chiaro_plane::{Edge, Loft, Region};
 use chiaro_solid::{Profile, Scalar};
 use chiaro_vocabulary::cpu::Program;
 use chiaro_vocabulary::{Bounds, Class, Kind, Row};
@@ -52,6 +52,7 @@ pub(super) enum Distance {
     Solid(Function, PointId),
     Plane(Function, PointId),
     Outline(Vec<Piece>, PointId),
+    Loft(Arc<Loft>, PointId),
     Polytope(Arc<[[[f64; 3]; 3]]>, PointId),
     /// The children that have to be asked, and those that need not be where others are nearer than their boxes.
     Least(Vec<NodeId>, Option<Tree>),
@@ -140,6 +141,7 @@ impl Compiler<'_> {
                 }
             }
             Node::Outline(region, point) => Distance::Outline(pieces(region), *point),
+            Node::Loft(loft, point) => Distance::Loft(loft.clone(), *point),
             Node::Polytope(triangles, point) => Distance::Polytope(triangles.clone(), *point),
             Node::Boolean(Operation::Union, None, children) => self.least(children),
             Node::Boolean(Operation::Intersection, None, children) => Distance::Greatest(children.clone()),

@@ -2,6 +2,7 @@
 
 use std::sync::LazyLock;
 
+use chiaro_plane::Loft;
 use chiaro_solid::Profile;
 use chiaro_vocabulary::Row;
 use chiaro_vocabulary::cpu::Program;
@@ -30,6 +31,8 @@ struct Helpers {
     outline_line: &'static Program,
     outline_arc: &'static Program,
     outline_end: &'static Program,
+    loft_level: &'static Program,
+    loft_side: &'static Program,
     polytope_start: &'static Program,
     polytope_triangle: &'static Program,
     polytope_end: &'static Program,
@@ -48,6 +51,8 @@ static HELPERS: LazyLock<Helpers> = LazyLock::new(|| Helpers {
     outline_line: rows::OUTLINE_LINE.program(),
     outline_arc: rows::OUTLINE_ARC.program(),
     outline_end: rows::OUTLINE_END.program(),
+    loft_level: rows::LOFT_LEVEL.program(),
+    loft_side: rows::LOFT_SIDE.program(),
     polytope_start: rows::POLYTOPE_START.program(),
     polytope_triangle: rows::POLYTOPE_TRIANGLE.program(),
     polytope_end: rows::POLYTOPE_END.program(),
@@ -87,6 +92,7 @@ impl<N: Remembered> Query<'_, N> {
                 self.call_with(function, &[x, y])[0]
             }
             Distance::Outline(pieces, point) => self.outline(pieces, *point),
+            Distance::Loft(loft, point) => self.loft(loft, *point),
             Distance::Polytope(triangles, point) => self.polytope(triangles, *point),
             Distance::Least(children, tree) => {
                 let mut least = children.iter().fold(N::of(FAR), |least, child| least.min(self.node(*child)));
@@ -183,6 +189,21 @@ impl<N: Remembered> Query<'_, N> {
                     self.call(HELPERS.outline_arc, &[squared, sign, x, y, ax, ay, bx, by, cx, cy, sweep])
                 }
             }
+        });
+        self.call(HELPERS.outline_end, &[squared, sign])[0]
+    }
+
+    #[inline(never)]
+    fn loft(&mut self, loft: &Loft, point: PointId) -> N {
+        let [x, y, z] = self.point(point);
+        let count = N::of(loft.stages().len() as f64);
+        let [stage, t, _] = self.call(HELPERS.loft_level, &[z, N::of(loft.height()), count]);
+        let sides = loft.stages().get(stage.plain() as usize).map_or(&[][..], Vec::as_slice);
+        let start = self.call(HELPERS.outline_start, &[]);
+        let [squared, sign, _] = sides.iter().fold(start, |[squared, sign, _], side| {
+            let [[ax, ay], [bx, by]] = side.from.map(|end| end.map(N::of));
+            let [[cx, cy], [dx, dy]] = side.to.map(|end| end.map(N::of));
+            self.call(HELPERS.loft_side, &[squared, sign, x, y, t, ax, ay, bx, by, cx, cy, dx, dy])
         });
         self.call(HELPERS.outline_end, &[squared, sign])[0]
     }

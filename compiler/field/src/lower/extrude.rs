@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use chiaro_plane::Loft;
 use chiaro_solid::{Affine, Scalar, Solid};
 use chiaro_syntax::Span;
 use chiaro_vocabulary::{Class, rows};
@@ -59,6 +60,32 @@ impl Lowering {
         Some(self.builder.node(Node::Extrude(height, node, point), span, Class::Bound, slope.max(context.slope)))
     }
 
+    /// Stages with flat sides. Distances within a level change no faster with the height than the sides and corners
+    /// move in it.
+    pub(super) fn loft(&mut self, loft: &Arc<Loft>, context: &Context, span: Span) -> Option<NodeId> {
+        let slope = loft.slope();
+        self.check_slope("this twist or taper", twisted_slope(slope), span)?;
+        let place = self.place(context);
+        let size = place.size.constant();
+        let (loft, forward) = match size {
+            Some(size) => (Arc::new(loft.scaled(size)), place.forward),
+            // Of a live size, the stages are asked in their own millimetres.
+            None => (loft.clone(), place.forward.after(&Affine::scaling([(); 3].map(|()| place.size.clone())))),
+        };
+        let own_slope =
+            if size.is_some() { context.slope } else { context.slope / place.size.range().min.max(f64::MIN_POSITIVE) };
+        let point = self.point_at(context.base, &forward, false);
+        let height = Scalar::from(loft.height());
+        let level = self.builder.node(Node::Loft(loft, point), span, Class::Bound, own_slope * 1f64.hypot(slope));
+        let steepest = own_slope * twisted_slope(slope);
+        let solid = self.builder.node(Node::Extrude(height, level, point), span, Class::Bound, steepest);
+        if size.is_some() {
+            return Some(solid);
+        }
+        let scaled = Node::Adjust(&rows::SCALE, vec![place.size], solid);
+        Some(self.builder.node(scaled, span, Class::Bound, context.slope * twisted_slope(slope)))
+    }
+
     /// A plane shape drawn straight up. Stretched along its axes it is the same of a stretched plane shape.
     fn upright(&mut self, height: &Scalar, child: &Arc<Solid>, context: &Context, span: Span) -> Option<NodeId> {
         let (place, factors) = match self.stretched_place(context) {
@@ -98,9 +125,9 @@ struct Levels {
 
 impl Levels {
     /// Let s be the scale of a level in x and y, m = min(s), M the greatest scale of any level, τ the twist for each
-    /// millimetre of height, u = R p the point turned back, q = u / s the point in its section, d the distance there,
-    /// and f = m d(q) the distance at p. Within a level, the slope of f is at most that of d. Along z it is
-    /// m' d − m ∇d · (s' / s q) − τ m ∇d · (J u / s), with J the quarter turn.
+    /// millimetre of height, u = p / s the point scaled back, q = R u the point turned back, which is the point in its
+    /// section, d the distance there, and f = m d(q) the distance at p. Within a level, the slope of f is at most that
+    /// of d. Along z it is m' d − m ∇d · R (s' / s u) − τ m ∇d · (J q), with J the quarter turn.
     ///
     /// If s is the same in x and y and d is the distance to a point c of the shape, within its reach ρ, then f is the
     /// distance to the point s R c, which moves by at most ρ √(s'² + (M τ)²).
@@ -110,9 +137,10 @@ impl Levels {
     /// tangential slope falls with ρ / |q|, and √(d² + g²) − ∂/∂q · q = (d² − g ρ) / √(d² + g²) is at most 2 ρ, so
     /// that the bound holds there too.
     ///
-    /// If s differs in x and y, what remains of the first two terms outside is at most |s'| (3 ρ + 2 |q_j|), where j
-    /// is the direction of the larger scale. That is bounded in a cylinder of radius P = M ρ: |q_j| ≤ P / max(s). And
-    /// there the last term is at most √2 P τ.
+    /// If s differs in x and y, let j be the direction of the larger scale. Then s' / s u is m' / m u but for its
+    /// component along j, and the first two terms are m' (d − ∇d · q) − (m s'_j / s_j − m') u_j ∇d · R e_j: at most
+    /// |s'| (3 ρ + 2 |u_j|). That is bounded in a cylinder of radius P = M ρ: |u_j| ≤ P / max(s). And there m |q| ≤ |p|,
+    /// so that the last term is at most P τ.
     fn new(reach: &Reach, height: &Scalar, twist: &Scalar, scale: &[Scalar; 2]) -> Self {
         let height = height.range().min;
         let tops = scale.each_ref().map(Scalar::range);
@@ -131,7 +159,7 @@ impl Levels {
             radius * (3.0 * taper + widest * rate)
         } else {
             let level_width = tops[0].min.max(tops[1].min).clamp(LEAST_SCALE, 1.0);
-            taper * (3.0 * radius + 2.0 * cylinder / level_width) + 2f64.sqrt() * cylinder * rate
+            taper * (3.0 * radius + 2.0 * cylinder / level_width) + cylinder * rate
         };
         Self { tilt, narrowest, confined, cylinder: (!uniform).then_some(cylinder) }
     }

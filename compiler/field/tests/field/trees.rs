@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use chiaro_plane::Region;
+use chiaro_plane::{Loft, Region};
 use chiaro_solid::{Affine, Boolean, Joint, Material, Profile, Scalar, Solid, SolidKind};
 use chiaro_syntax::{FileId, Span};
 use chiaro_vocabulary::{Row, rows};
@@ -83,7 +83,7 @@ impl Trees<'_> {
         if depth == 0 {
             return self.simple();
         }
-        match self.random.below(13) {
+        match self.random.below(14) {
             0 => self.simple(),
             1..=3 => {
                 let children = (0..2 + self.random.below(3)).map(|_| self.space(depth - 1)).collect();
@@ -119,6 +119,21 @@ impl Trees<'_> {
                 let out = Affine::translation([self.number(5.0, 8.0), Scalar::ZERO, Scalar::ZERO]);
                 let child = transform(out, self.plane(depth.saturating_sub(2)));
                 solid(SolidKind::Revolve { sweep, facets, child })
+            }
+            12 => {
+                let sides = 3 + self.random.below(4) as u32;
+                let region =
+                    Region::ngon(3.0, sides).transform([[1.0, 0.0, self.random.within(-4.0, 4.0)], [0.0, 1.0, 0.0]]);
+                let (turn, stages) = (self.random.within(-1.0, 1.0), 1 + self.random.below(3));
+                let (x, y) = (self.random.within(-0.2, 0.3), self.random.within(-0.2, 0.3));
+                let level = |k: u64| {
+                    let (sin, cos) = (turn * k as f64).sin_cos();
+                    let [x, y] = [x, y].map(|rate| 1.0 + rate * k as f64);
+                    [[x * cos, y * sin], [-x * sin, y * cos]]
+                };
+                let levels: Vec<_> = (0..=stages).map(level).collect();
+                let height = self.random.within(2.0, 8.0);
+                solid(SolidKind::Loft(Arc::new(Loft::new(&region, &levels, height, turn < 0.0))))
             }
             _ => {
                 let count = 2 + self.random.below(5);

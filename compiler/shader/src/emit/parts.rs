@@ -149,6 +149,7 @@ impl Parts {
 fn own_cost(node: &Node) -> u32 {
     let pieces = match node {
         Node::Outline(region, _) => region.edges().count(),
+        Node::Loft(loft, _) => loft.sides(),
         Node::Polytope(triangles, _) => triangles.len(),
         _ => 1,
     };

@@ -1,9 +1,10 @@
 //! Outlines and polytopes: each a function of its own, however often it occurs, that reduces its pieces. It is unrolled
 //! if they are few and otherwise a loop over a table.
 
-use chiaro_plane::Region;
+use chiaro_plane::{Loft, Region, Side};
 use chiaro_vocabulary::rows::{
-    OUTLINE_ARC, OUTLINE_END, OUTLINE_LINE, OUTLINE_START, POLYTOPE_END, POLYTOPE_START, POLYTOPE_TRIANGLE,
+    LOFT_LEVEL, LOFT_SIDE, OUTLINE_ARC, OUTLINE_END, OUTLINE_LINE, OUTLINE_START, POLYTOPE_END, POLYTOPE_START,
+    POLYTOPE_TRIANGLE,
 };
 use naga::{
     AddressSpace, ArraySize, BinaryOperator, Expression, GlobalVariable, Handle, Literal, Span, Statement,
@@ -73,14 +74,22 @@ struct Rows {
     each: u32,
 }
 
-/// The number of coordinates and the bits of all numbers of an outline or a polytope.
-pub(super) type Key = (usize, Vec<u64>);
+/// What it is, and the bits of all its numbers.
+pub(super) type Key = (Kind, Vec<u64>);
+
+/// What is reduced from pieces.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Kind {
+    Outline,
+    Loft,
+    Polytope,
+}
 
 impl Scope<'_, '_> {
     /// The distance to a region.
     pub(super) fn outline(&mut self, region: &Region, point: Value) -> Value {
         let pieces = pieces(region);
-        let key = (2, pieces.iter().flat_map(Piece::numbers).map(f64::to_bits).collect());
+        let key = (Kind::Outline, pieces.iter().flat_map(Piece::numbers).map(f64::to_bits).collect());
         let vec2 = self.emission.types.vec2;
         let comment = "// An outline that the scene draws.\n";
         self.call_pieces(point, key, ("region", vec2, comment), |scope| scope.outline_here(&pieces))
@@ -88,10 +97,18 @@ impl Scope<'_, '_> {
 
     /// The distance to a polytope.
     pub(super) fn polytope(&mut self, triangles: &[[[f64; 3]; 3]], point: Value) -> Value {
-        let key = (3, triangles.iter().flatten().flatten().map(|number| number.to_bits()).collect());
+        let key = (Kind::Polytope, triangles.iter().flatten().flatten().map(|number| number.to_bits()).collect());
         let vec3 = self.emission.types.vec3;
         let comment = "// A convex polytope of the scene.\n";
         self.call_pieces(point, key, ("hull", vec3, comment), |scope| scope.polytope_here(triangles))
+    }
+
+    /// The distance, within its level, to the section of stages with flat sides.
+    pub(super) fn loft(&mut self, loft: &Loft, point: Value) -> Value {
+        let key = (Kind::Loft, loft.numbers().map(f64::to_bits).collect());
+        let vec3 = self.emission.types.vec3;
+        let comment = "// The section, at its height, of a solid whose stages have flat sides.\n";
+        self.call_pieces(point, key, ("stages", vec3, comment), |scope| scope.loft_here(loft))
     }
 
     /// Calls the function for pieces with that key, which is emitted, as described, if it does not exist.
@@ -195,6 +212,59 @@ impl Scope<'_, '_> {
         };
         let distance = self.call(&POLYTOPE_END, &[state]);
         self.name(distance, "distance")
+    }
+
+    fn loft_here(&mut self, loft: &Loft) -> Value {
+        let point = self.builder.argument();
+        let z = self.builder.component(point, 2);
+        let [height, count] = [self.constant(loft.height()), self.constant(loft.stages().len() as f64)];
+        let level = self.call(&LOFT_LEVEL, &[z, height, count]);
+        let level = self.name(level, "level");
+        let t = self.builder.component(level, 1);
+        let across = self.builder.truncate(point, VectorSize::Bi);
+        let start = self.call(&OUTLINE_START, &[]);
+        let start = self.name(start, "edges");
+        let state = match loft.stages() {
+            [only] => self.stage(start, across, t, only),
+            stages => {
+                let name = self.emission.names.next("next");
+                let next = self.builder.variable(name, self.builder.types.vec2, None);
+                self.builder.store(next, start);
+                let here = self.builder.component(level, 0);
+                for (index, sides) in stages.iter().enumerate() {
+                    let number = self.constant(index as f64);
+                    let condition = self.builder.binary(BinaryOperator::Equal, here, number);
+                    self.builder.open();
+                    let state = self.stage(start, across, t, sides);
+                    self.builder.store(next, state);
+                    let accept = self.builder.close();
+                    self.builder.statement(Statement::If { condition, accept, reject: naga::Block::new() });
+                }
+                self.builder.load(next)
+            }
+        };
+        let distance = self.call(&OUTLINE_END, &[state]);
+        self.name(distance, "distance")
+    }
+
+    /// The state behind the sides of a stage.
+    fn stage(&mut self, start: Value, point: Value, t: Value, sides: &[Side]) -> Value {
+        if self.emission.unroll(sides.len(), MAX_UNROLLED_PIECES) {
+            return sides.iter().fold(start, |state, side| {
+                let [a_below, a_above] = side.from.map(|end| self.constants(&end));
+                let [b_below, b_above] = side.to.map(|end| self.constants(&end));
+                let state = self.call(&LOFT_SIDE, &[state, point, t, a_below, a_above, b_below, b_above]);
+                self.name(state, "edges")
+            });
+        }
+        let entries = self.emission.tables.stage(sides);
+        self.emission.check_tables();
+        let all = self.rows_of(entries);
+        self.reduction(start, all, |scope, state, row| {
+            let [from, to] = [0, 1].map(|offset| scope.row(row, offset));
+            let ([a_below, a_above], [b_below, b_above]) = (scope.halves(from), scope.halves(to));
+            scope.call(&LOFT_SIDE, &[state, point, t, a_below, a_above, b_below, b_above])
+        })
     }
 
     /// The state behind one piece of an outline.

@@ -19,6 +19,7 @@ pub(super) fn kind(graph: &Graph, id: NodeId) -> &'static str {
         Node::Nothing => "nothing",
         Node::Shape(row, ..) | Node::Adjust(row, ..) => row.name,
         Node::Outline(..) => "outline",
+        Node::Loft(..) => "loft",
         Node::Polytope(..) => "polytope",
         Node::Boolean(_, Some(_), _) => "joint",
         Node::Boolean(Operation::Union, None, _) => "union",
@@ -66,6 +67,11 @@ impl Scope<'_, '_> {
             Node::Outline(region, point) => {
                 let point = self.plane_point(*point);
                 let distance = self.outline(region, point);
+                self.name_node(distance, id)
+            }
+            Node::Loft(loft, point) => {
+                let point = self.space_point(*point);
+                let distance = self.loft(loft, point);
                 self.name_node(distance, id)
             }
             Node::Polytope(triangles, point) => {

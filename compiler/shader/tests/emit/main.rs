@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use chiaro_field::{MaterialId, Node, NodeId, Operation, Point, PointId};
-use chiaro_plane::{Contour, Edge, Region};
+use chiaro_plane::{Contour, Edge, Loft, Region};
 use chiaro_shader::{MAX_NODES, Template, splice};
 use chiaro_solid::{Affine, Joint, Material, ParameterId, Profile, Scalar};
 use chiaro_vocabulary::rows::{REVOLVE, SLICE};
@@ -185,6 +185,30 @@ fn outlines_are_the_same_unrolled_and_in_a_loop() {
         assert_close(checked.distance([0.0, 0.0, 3.0]), middle);
         assert_close(checked.distance([25.0, 0.0, 3.0]), 5.0);
         assert!(checked.distance([0.0, 10.0, 3.0]) < 0.0);
+        for p in random_points(100) {
+            checked.distance(p);
+        }
+    }
+}
+
+#[test]
+fn stages_are_the_same_unrolled_and_in_a_loop() {
+    let turned = |degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        [[cos, sin], [-sin, cos]]
+    };
+    for (stages, sides) in [(1, 5), (3, 5), (1, 60), (3, 60)] {
+        let levels: Vec<_> = (0..=stages).map(|k| turned(-2.0 * f64::from(k))).collect();
+        let loft = Arc::new(Loft::new(&Region::ngon(9.0, sides), &levels, 12.0, true));
+        let mut scene = Scene::new();
+        let section = scene.add(Node::Loft(loft, PointId(0)));
+        scene.add(Node::Extrude(Scalar::from(12.0), section, PointId(0)));
+        let graph = scene.done();
+        let rows = splice(&graph, Template::Library).expect("small").tables.rows.len();
+        assert_eq!(rows, if sides == 5 { 0 } else { (stages * 2 * 2 * sides) as usize });
+        let checked = checked(&graph, &[]);
+        assert_close(checked.distance([0.0, 0.0, 15.0]), 3.0);
+        assert_close(checked.distance([9.0, 0.0, 0.0]), 0.0);
         for p in random_points(100) {
             checked.distance(p);
         }

@@ -125,29 +125,40 @@ fn smallest_singular_value(m: &[f64]) -> f64 {
 
 /// Trigonometry in degrees, exact where the result is a simple number.
 pub mod degrees {
-    /// The sine; exact at multiples of 30°.
+    /// The sine; exact at multiples of 30°. As in OpenSCAD, it is −0 at odd multiples of 180°.
     pub fn sin(angle: f64) -> f64 {
         if !angle.is_finite() {
             return f64::NAN;
         }
-        // Reduce to [0, 360), then to the first quadrant, where the exact values are.
+        // Reduce to [0, 360), then to the first quadrant, where the exact values are. Whole turns are 0, and only −0 is −0.
+        let turn = if angle == 0.0 { angle } else { angle.rem_euclid(360.0) + 0.0 };
+        let (half, is_negative) = if turn >= 180.0 { (turn - 180.0, true) } else { (turn, false) };
+        let value = quarter_sine(if half > 90.0 { 180.0 - half } else { half });
+        if is_negative { -value } else { value }
+    }
+
+    /// The cosine; exact at multiples of 30°. As in OpenSCAD, it is 0 at 90° and −0 at 270°.
+    pub fn cos(angle: f64) -> f64 {
+        if !angle.is_finite() {
+            return f64::NAN;
+        }
         let turn = angle.rem_euclid(360.0);
-        let (half, negative) = if turn >= 180.0 { (turn - 180.0, true) } else { (turn, false) };
-        let quarter = if half > 90.0 { 180.0 - half } else { half };
-        let value = match quarter {
-            0.0 => 0.0,
+        let (half, is_lower) = if turn >= 180.0 { (turn - 180.0, true) } else { (turn, false) };
+        let (quarter, is_left) = if half > 90.0 { (180.0 - half, true) } else { (half, false) };
+        let value = quarter_sine(90.0 - quarter);
+        if is_lower != is_left { -value } else { value }
+    }
+
+    /// The sine of an angle from 0° to 90°.
+    fn quarter_sine(angle: f64) -> f64 {
+        match angle {
+            0.0 => angle,
             30.0 => 0.5,
             90.0 => 1.0,
             45.0 => std::f64::consts::FRAC_1_SQRT_2,
             60.0 => 0.75f64.sqrt(),
-            _ => quarter.to_radians().sin(),
-        };
-        if negative && value != 0.0 { -value } else { value }
-    }
-
-    /// The cosine; exact at multiples of 30°.
-    pub fn cos(angle: f64) -> f64 {
-        sin(angle.rem_euclid(360.0) + 90.0)
+            _ => angle.to_radians().sin(),
+        }
     }
 
     /// The tangent; exact at multiples of 45°, and the nearest number at those of 30°.
@@ -201,6 +212,20 @@ pub mod degrees {
             assert_eq!((tan(45.0), tan(135.0), tan(-45.0)), (1.0, -1.0, -1.0));
             assert_eq!((tan(90.0), tan(270.0)), (f64::INFINITY, f64::NEG_INFINITY));
             assert_eq!((asin(0.5), acos(0.5), atan(1.0), atan2(1.0, -1.0)), (30.0, 60.0, 45.0, 135.0));
+        }
+
+        #[test]
+        fn zeros_have_the_signs_of_openscad() {
+            let signs = |function: fn(f64) -> f64, angles: &[f64]| -> Vec<f64> {
+                angles.iter().map(|angle| 1.0 / function(*angle)).collect()
+            };
+            let (up, down) = (f64::INFINITY, f64::NEG_INFINITY);
+            let sines = [-180.0, 180.0, 360.0, -360.0, -0.0, 540.0, 0.0];
+            assert_eq!(signs(sin, &sines), [down, down, up, up, down, down, up]);
+            assert_eq!(signs(cos, &[90.0, 270.0, -90.0, -270.0, 450.0]), [up, down, down, up, up]);
+            assert_eq!(signs(tan, &[0.0, 180.0, 360.0, -180.0, -0.0, 540.0]), [up, down, up, down, up, down]);
+            assert_eq!(atan2(sin(-180.0), cos(-180.0)), -180.0);
+            assert_eq!((1.0 / atan2(-0.0, 1.0), 1.0 / asin(-0.0), 1.0 / atan(-0.0)), (down, down, down));
         }
     }
 }

@@ -144,6 +144,32 @@ pub static OUTLINE_ARC: Row = helper(
     "Adds an arc to an outline.",
 );
 
+/// Which stage of a solid is asked at a height, and how far up in it.
+pub static LOFT_LEVEL: Row = helper(
+    "loft_level",
+    &[
+        number("z", None, "height of the point"),
+        number("height", None, "height of all stages together"),
+        number("stages", None, "how many there are"),
+    ],
+    "Which stage of a solid is asked at a height, and how far up in it.",
+);
+
+/// Adds a line to an outline that changes with the height.
+pub static LOFT_SIDE: Row = helper(
+    "loft_side",
+    &[
+        vec2(number("state", None, "the state")),
+        vec2(number("p", None, "the point")),
+        number("t", None, "how far up in the stage"),
+        vec2(number("a_below", None, "where the line starts at the bottom of the stage")),
+        vec2(number("a_above", None, "where it starts at the top")),
+        vec2(number("b_below", None, "where it ends at the bottom")),
+        vec2(number("b_above", None, "where it ends at the top")),
+    ],
+    "Adds a line to an outline that changes with the height.",
+);
+
 /// The distance to an outline.
 pub static OUTLINE_END: Row =
     helper("outline_end", &[vec2(number("state", None, "the state"))], "The distance to an outline.");

@@ -65,7 +65,7 @@ pub static SLICE: Row = Row {
     example: "",
 };
 
-/// An upright solid that is turned and scaled.
+/// An upright solid that is turned, and then scaled.
 pub static EXTRUDE: Row = Row {
     name: "extrude",
     function: "section_extrude",
@@ -80,6 +80,6 @@ pub static EXTRUDE: Row = Row {
     round: false,
     form: &Form::UNKNOWN,
     bounds: anywhere,
-    manual: "Draws a plane shape out along z, scaled and then turned with the height.",
+    manual: "Draws a plane shape out along z, turned and then scaled with the height.",
     example: "",
 };
