@@ -1,5 +1,7 @@
 //! Where a surface crosses the edges of cells, and which way it faces there.
 
+use chiaro_vocabulary::cpu::Dual;
+
 use crate::Error;
 use crate::field::{Sampler, Stage};
 use crate::lattice::Lattice;
@@ -31,8 +33,7 @@ pub(crate) fn crossings(lattice: &Lattice, cells: &Cells, sampler: &mut Sampler)
             Crossing { cell: bracket.cell, axis: bracket.axis, leaves, point, normal: [0.0; 3] }
         })
         .collect();
-    let normals = normals(lattice, &crossings, sampler)?;
-    crossings.iter_mut().zip(normals).for_each(|(crossing, normal)| crossing.normal = normal);
+    touch(lattice, &mut crossings, sampler)?;
     Ok(crossings)
 }
 
@@ -125,10 +126,31 @@ fn narrow(lattice: &Lattice, cells: &Cells, brackets: &mut [Bracket], sampler: &
     Ok(())
 }
 
+/// Finds the planes that touch the surface at the crossings. Their points move by what is left of the values there, so that
+/// crossings of a flat face are all in its plane, as far as double precision goes.
+fn touch(lattice: &Lattice, crossings: &mut [Crossing], sampler: &mut Sampler) -> Result<(), Error> {
+    /// How far a point may move, in cells.
+    const LITTLE: f64 = 1e-6;
+    let gradients = sampler.gradients(Stage::Crossing, crossings, |crossing| crossing.point)?;
+    let normals = normals(lattice, crossings, &gradients, sampler)?;
+    for ((crossing, normal), dual) in crossings.iter_mut().zip(normals).zip(gradients) {
+        let way = -dual.value / dual.slope();
+        if way.abs() < LITTLE * lattice.step {
+            crossing.point = add(crossing.point, scale(normal, way));
+        }
+        crossing.normal = normal;
+    }
+    Ok(())
+}
+
 /// The directions of the gradients at the crossings. Where a gradient vanishes, that of differences over a thousandth of
 /// a cell, or else the direction of the edge.
-fn normals(lattice: &Lattice, crossings: &[Crossing], sampler: &mut Sampler) -> Result<Vec<[f64; 3]>, Error> {
-    let gradients = sampler.gradients(Stage::Crossing, crossings, |crossing| crossing.point)?;
+fn normals(
+    lattice: &Lattice,
+    crossings: &[Crossing],
+    gradients: &[Dual],
+    sampler: &mut Sampler,
+) -> Result<Vec<[f64; 3]>, Error> {
     let mut normals: Vec<Option<[f64; 3]>> = gradients.iter().map(|dual| unit(dual.gradient)).collect();
     let vague: Vec<usize> = (0..normals.len()).filter(|number| normals[*number].is_none()).collect();
     let around: Vec<(usize, [f64; 3])> = (vague.iter())

@@ -15,6 +15,8 @@ mod crossings;
 mod cycles;
 mod error;
 mod field;
+mod flakes;
+mod flatten;
 mod lattice;
 mod merge;
 mod mesh;

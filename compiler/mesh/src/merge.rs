@@ -27,17 +27,26 @@ pub(crate) struct Trait {
     pub(crate) paint: u32,
 }
 
-/// Merges triangles; `traits` go with them. The surface stays within `tolerance`, in millimetres, and no triangle is made
-/// that is flatter than `thinnest`.
+/// How far merging may go, in millimetres.
+pub(crate) struct Limits {
+    /// The surface stays within this.
+    pub(crate) tolerance: f64,
+    /// No triangle is made that is lower than this.
+    pub(crate) thinnest: f64,
+    /// Edges that are shorter than this collapse, whatever becomes of the triangles around.
+    pub(crate) shortest: f64,
+}
+
+/// Merges triangles; `traits` go with them.
 pub(crate) fn merge(
     mesh: &Mesh,
     traits: &[Trait],
-    tolerance: f64,
-    thinnest: f64,
+    limits: Limits,
     sampler: &mut Sampler,
 ) -> Result<(Mesh, Vec<Trait>), Error> {
-    let mut merger = Merger::new(mesh, traits, tolerance, thinnest);
-    merger.run(sampler)?;
+    let mut merger = Merger::new(mesh, traits, limits);
+    // What is gone may have been in the way of others.
+    while merger.run(sampler)? | merger.weld() {}
     let left: Vec<u32> = merger.fans.left().collect();
     let triangles = left.iter().map(|triangle| merger.fans.corners(*triangle)).collect();
     let mut merged = Mesh { vertices: mesh.vertices.clone(), triangles };
@@ -58,12 +67,11 @@ struct Merger<'a> {
     /// How often the surroundings of each vertex have changed.
     changes: Vec<u32>,
     candidates: BinaryHeap<Candidate>,
-    tolerance: f64,
-    thinnest: f64,
+    limits: Limits,
 }
 
 impl<'a> Merger<'a> {
-    fn new(mesh: &'a Mesh, traits: &'a [Trait], tolerance: f64, thinnest: f64) -> Self {
+    fn new(mesh: &'a Mesh, traits: &'a [Trait], limits: Limits) -> Self {
         let fans = Fans::new(mesh);
         let middle = mean(mesh.vertices.iter().copied());
         let mut merger = Self {
@@ -73,23 +81,42 @@ impl<'a> Merger<'a> {
             changes: vec![0; mesh.vertices.len()],
             candidates: BinaryHeap::new(),
             fans,
-            tolerance,
-            thinnest,
+            limits,
         };
-        for triangle in 0..mesh.triangles.len() {
-            merger.add_planes(triangle as u32);
-        }
-        for vertex in 0..mesh.vertices.len() as u32 {
-            merger.suggest_around(vertex, |other| vertex < other);
-        }
+        while merger.weld() {}
+        let left: Vec<u32> = merger.fans.left().collect();
+        left.into_iter().for_each(|triangle| merger.add_planes(triangle));
         merger
+    }
+
+    /// Collapses edges that are next to nothing, since vertices of several cells may be put on the same corner. Answers
+    /// whether there were any.
+    fn weld(&mut self) -> bool {
+        let mut has_welded = false;
+        for vertex in 0..self.vertices.len() as u32 {
+            let is_near = |other: &u32| {
+                let way = sub(self.vertices[*other as usize], self.vertices[vertex as usize]);
+                length(way) < self.limits.shortest && self.fans.stays_a_surface(vertex, *other)
+            };
+            if let Some(kept) = self.fans.neighbours(vertex).into_iter().find(is_near) {
+                self.join(vertex, kept);
+                has_welded = true;
+            }
+        }
+        has_welded
+    }
+
+    /// Notes all collapses that cost little enough.
+    fn suggest_all(&mut self) {
+        for vertex in 0..self.vertices.len() as u32 {
+            self.suggest_around(vertex, |other| vertex < other);
+        }
     }
 
     /// Adds a triangle's plane, and those of its borders, to its corners' quadrics.
     fn add_planes(&mut self, triangle: u32) {
         let corners = self.fans.corners(triangle);
-        let [a, b, c] = corners.map(|corner| self.vertices[corner as usize]);
-        let Some(normal) = unit(cross(sub(b, a), sub(c, a))) else { return };
+        let Some((a, normal)) = self.plane_of(triangle) else { return };
         corners.iter().for_each(|corner| self.quadrics[*corner as usize].add_plane(a, normal));
         for (from, to) in [(0, 1), (1, 2), (2, 0)].map(|(from, to)| (corners[from], corners[to])) {
             let paint = self.traits[triangle as usize].paint;
@@ -103,6 +130,23 @@ impl<'a> Merger<'a> {
                 self.quadrics[to as usize].add_plane(start, upright);
             }
         }
+    }
+
+    fn plane_of(&self, triangle: u32) -> Option<(Vector, Vector)> {
+        self.plane(triangle, self.fans.corners(triangle).map(|corner| self.vertices[corner as usize]))
+    }
+
+    /// The plane that a triangle stands for. The normal of a sliver says nothing; one that is folded, or no more than an
+    /// edge, stands for none.
+    fn plane(&self, triangle: u32, at: [Vector; 3]) -> Option<(Vector, Vector)> {
+        let form = Form::of(at);
+        if form.height > self.limits.thinnest {
+            return Some((at[0], unit(form.normal)?));
+        }
+        let facing = self.traits[triangle as usize].facing;
+        let is_level = |corner: &Vector| dot(sub(*corner, at[0]), facing).abs() < self.limits.thinnest;
+        let stands = form.height > self.limits.shortest && at.iter().all(is_level);
+        stands.then_some((at[0], facing))
     }
 
     /// Notes the collapses between a vertex and those of its neighbours that are wanted, if they cost little enough.
@@ -120,7 +164,7 @@ impl<'a> Merger<'a> {
         const SHORT_FIRST: f64 = 1e-8;
         let (from, to) = (self.vertices[gone as usize], self.vertices[kept as usize]);
         let error = self.quadrics[gone as usize].at(to) + self.quadrics[kept as usize].at(to);
-        if error <= self.tolerance * self.tolerance {
+        if error <= self.limits.tolerance * self.limits.tolerance {
             let way = sub(to, from);
             let cost = error.max(0.0) + SHORT_FIRST * dot(way, way);
             let changes = [gone, kept].map(|vertex| self.changes[vertex as usize]);
@@ -128,10 +172,12 @@ impl<'a> Merger<'a> {
         }
     }
 
-    fn run(&mut self, sampler: &mut Sampler) -> Result<(), Error> {
+    /// Collapses edges, the cheapest first. Answers whether there were any.
+    fn run(&mut self, sampler: &mut Sampler) -> Result<bool, Error> {
         const TOLD_EVERY: usize = 1 << 13;
         let all = self.vertices.len();
         let mut merged = 0;
+        self.suggest_all();
         while let Some(Reverse((_, gone, kept, gone_changes, kept_changes))) = self.candidates.pop() {
             let is_new = self.changes[gone as usize] == gone_changes && self.changes[kept as usize] == kept_changes;
             if !is_new || !self.may_collapse(gone, kept) {
@@ -143,7 +189,7 @@ impl<'a> Merger<'a> {
                 sampler.tell(Stage::Merging, merged, all)?;
             }
         }
-        Ok(())
+        Ok(merged > 0)
     }
 
     /// Whether the mesh stays a surface, and every triangle faces where it did.
@@ -161,21 +207,41 @@ impl<'a> Merger<'a> {
         let before = corners.map(|corner| self.vertices[corner as usize]);
         let after = corners.map(|corner| self.vertices[if corner == gone { kept } else { corner } as usize]);
         let (old, new) = (Form::of(before), Form::of(after));
+        // What was no more than an edge may stay one.
+        if old.height.max(new.height) < self.limits.shortest {
+            return true;
+        }
+        let facing = self.traits[triangle as usize].facing;
+        // No quadric tells of what had no plane: it may only become a part of the one that it faces from.
+        let height = dot(sub(self.vertices[kept as usize], before[0]), facing);
+        if self.plane(triangle, before).is_none() && height.abs() > self.limits.tolerance {
+            return false;
+        }
         let faces = |direction: Vector| dot(new.normal, direction) > TURN * length(new.normal) * length(direction);
         // The normal of a sliver says nothing.
-        let turned = old.height > self.thinnest && !faces(old.normal);
-        faces(self.traits[triangle as usize].facing)
-            && !turned
-            && new.height > self.thinnest.min(0.5 * old.height).max(f64::MIN_POSITIVE)
+        let turned = old.height > self.limits.thinnest && !faces(old.normal);
+        faces(facing) && !turned && new.height > self.limits.thinnest.min(0.5 * old.height).max(f64::MIN_POSITIVE)
     }
 
     fn collapse(&mut self, gone: u32, kept: u32) {
+        self.join(gone, kept);
+        self.suggest_around(kept, |_| true);
+    }
+
+    fn join(&mut self, gone: u32, kept: u32) {
         let quadric = self.quadrics[gone as usize].clone();
         self.quadrics[kept as usize].add(&quadric);
+        let has_none = |triangle: &u32| self.plane_of(*triangle).is_none();
+        let without: Vec<u32> = self.fans.of(gone).iter().copied().filter(has_none).collect();
         self.fans.collapse(gone, kept);
         self.changes[gone as usize] += 1;
         self.changes[kept as usize] += 1;
-        self.suggest_around(kept, |_| true);
+        // What stands for a plane now, the quadrics have to know.
+        for triangle in without {
+            if self.fans.has(triangle) {
+                self.add_planes(triangle);
+            }
+        }
     }
 }
 

@@ -1,14 +1,14 @@
 //! Triangle meshes.
 
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 
-use crate::vector::{Vector, cross, dot};
+use crate::vector::{Vector, add, cross, dot, length, scale, sub, unit};
 
 /// A closed surface of triangles. Each edge is the side of two triangles, which pass it in opposite directions, and the
 /// triangles around a vertex are one fan.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// Points in millimetres; no two are the same in single precision.
+    /// Points in millimetres; no two are nearer to each other than a millionth of the size.
     pub vertices: Vec<[f64; 3]>,
     /// The numbers of the corners, anticlockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
@@ -63,15 +63,45 @@ impl Mesh {
         true
     }
 
-    /// Moves vertices that are the same in single precision apart, by the least that can be told.
-    pub(crate) fn separate(&mut self, least: f64) {
-        let mut taken: FxHashSet<[u32; 3]> = FxHashSet::default();
-        for vertex in &mut self.vertices {
-            while !taken.insert(vertex.map(|coordinate| (coordinate as f32).to_bits())) {
-                let step = (vertex[0].abs() * f64::from(f32::EPSILON)).max(least);
-                vertex[0] += step;
+    /// Moves vertices apart that are nearer to each other than this, each into the solid.
+    pub(crate) fn separate(&mut self, apart: f64) {
+        const MOST_STEPS: u32 = 64;
+        let greatest = self.vertices.iter().flatten().fold(0.0, |greatest: f64, x| greatest.max(x.abs()));
+        let apart = apart.max(4.0 * f64::from(f32::EPSILON) * greatest);
+        let inwards = self.inwards();
+        let site = |point: Vector| point.map(|coordinate| (coordinate / apart).floor() as i64);
+        let mut taken: FxHashMap<[i64; 3], Vec<Vector>> = FxHashMap::default();
+        for (vertex, inwards) in self.vertices.iter_mut().zip(inwards) {
+            let is_free = |point: Vector| {
+                let [x, y, z] = site(point);
+                let around = (0..27).map(|n| [x + n % 3 - 1, y + n / 3 % 3 - 1, z + n / 9 - 1]);
+                let near = around.filter_map(|site| taken.get(&site)).flatten();
+                near.into_iter().all(|other| length(sub(*other, point)) >= apart)
+            };
+            let places = (0..MOST_STEPS).map(|step| add(*vertex, scale(inwards, 1.5 * apart * f64::from(step))));
+            if let Some(place) = places.into_iter().find(|place| is_free(*place)) {
+                *vertex = place;
             }
+            taken.entry(site(*vertex)).or_default().push(*vertex);
         }
+    }
+
+    /// The directions that the surface at each vertex faces away from.
+    fn inwards(&self) -> Vec<Vector> {
+        let mut sums = vec![[0.0; 3]; self.vertices.len()];
+        for (triangle, corners) in self.triangles.iter().enumerate() {
+            let [a, b, c] = self.corners(triangle);
+            let normal = unit(cross(sub(b, a), sub(c, a))).unwrap_or([0.0; 3]);
+            corners.iter().for_each(|corner| sums[*corner as usize] = sub(sums[*corner as usize], normal));
+        }
+        sums.into_iter().map(|sum| unit(sum).unwrap_or([1.0, 0.0, 0.0])).collect()
+    }
+
+    /// Rounds coordinates to multiples of at most this.
+    pub(crate) fn round(&mut self, grid: f64) {
+        let grid = grid.log2().floor().exp2();
+        // The sum has no negative zeros.
+        self.vertices.iter_mut().flatten().for_each(|x| *x = (*x / grid).round() * grid + 0.0);
     }
 
     /// Leaves out vertices that no triangle has.

@@ -5,8 +5,10 @@ use chiaro_field::{Bounds, Look};
 use crate::Error;
 use crate::contour::{Contour, contour};
 use crate::field::{Field, Sampler, Stage, Watch};
+use crate::flakes::without_flakes;
+use crate::flatten::flatten;
 use crate::lattice::{Lattice, MOST_CELLS};
-use crate::merge::{Trait, merge};
+use crate::merge::{Limits, Trait, merge};
 use crate::mesh::Mesh;
 use crate::vector::{Vector, add, dot, mean, scale, sub, unit};
 
@@ -87,8 +89,14 @@ pub fn model(field: &dyn Field, detail: &Detail, watch: &mut Watch) -> Result<Mo
     let Contour { mesh, facing, misses_parts } = contour;
     let paints = paints(&mesh, &mut sampler)?;
     let traits: Vec<Trait> = facing.into_iter().zip(paints).map(|(facing, paint)| Trait { facing, paint }).collect();
-    let (mut mesh, traits) = merge(&mesh, &traits, 0.5 * tolerance, THINNEST * cell, &mut sampler)?;
-    mesh.separate(APART * cell);
+    // Vertices that are nearer to each other than some programs can tell would be one.
+    let apart = APART * bounds.diagonal();
+    let limits = Limits { tolerance: 0.5 * tolerance, thinnest: THINNEST * cell, shortest: apart.max(SHORTEST * cell) };
+    let (mesh, traits) = merge(&mesh, &traits, limits, &mut sampler)?;
+    let (mesh, traits) = flatten(mesh, traits, FLAT * cell);
+    let (mut mesh, traits) = without_flakes(mesh, traits, apart);
+    mesh.separate(apart);
+    mesh.round(ROUND * bounds.diagonal());
     let deviation = deviation(&mesh, &mut sampler)?;
     let corners = corners(&mesh, &traits, &mut sampler)?;
     let report = Report { cell, tolerance, deviation, misses_parts };
@@ -98,8 +106,14 @@ pub fn model(field: &dyn Field, detail: &Detail, watch: &mut Watch) -> Result<Mo
 
 /// Merging makes no triangles that are lower than this part of a cell.
 const THINNEST: f64 = 1e-2;
-/// So far, as a part of a cell, vertices are moved apart that are the same in single precision.
-const APART: f64 = 1e-4;
+/// Edges that are shorter than this part of a cell have no length.
+const SHORTEST: f64 = 1e-4;
+/// What is nearer than this part of a cell to a plane is in it.
+const FLAT: f64 = 2e-4;
+/// So far apart, as a part of the diagonal of the scene's box, are any two vertices.
+const APART: f64 = 2e-6;
+/// Coordinates are multiples of about this part of the diagonal: what was to be 0 is 0.
+const ROUND: f64 = 1e-10;
 
 /// The box of a field, if that is finite and has something in it.
 fn bounded(field: &dyn Field) -> Result<Bounds, Error> {

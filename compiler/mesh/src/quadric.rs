@@ -33,9 +33,19 @@ impl Quadric {
     /// The shortest way from the reference to where the sum is least within a box, whose corners are given as ways from the
     /// reference, which is inside.
     pub(crate) fn least_within(&self, low: Vector, high: Vector) -> Vector {
+        self.least_between(low, high, FLAT)
+    }
+
+    /// The same for planes that are known to be different ones, whatever their angle is.
+    pub(crate) fn exact_within(&self, low: Vector, high: Vector) -> Vector {
+        const EXACTLY_FLAT: f64 = 1e-9;
+        self.least_between(low, high, EXACTLY_FLAT)
+    }
+
+    fn least_between(&self, low: Vector, high: Vector, flat: f64) -> Vector {
         let mut held: [Option<f64>; 3] = [None; 3];
         loop {
-            let way = self.least(&held);
+            let way = self.least(&held, flat);
             let beyond = |axis: usize| (low[axis] - way[axis]).max(way[axis] - high[axis]);
             let free = (0..3).filter(|axis| held[*axis].is_none());
             let worst = free.max_by(|a, b| beyond(*a).total_cmp(&beyond(*b)));
@@ -47,7 +57,7 @@ impl Quadric {
     }
 
     /// The shortest way to where the sum is least, while some of its components are held.
-    fn least(&self, held: &[Option<f64>; 3]) -> Vector {
+    fn least(&self, held: &[Option<f64>; 3], flat: f64) -> Vector {
         let is_free = |axis: usize| held[axis].is_none();
         let mut matrix = self.matrix;
         let mut target = self.target;
@@ -66,7 +76,7 @@ impl Quadric {
         }
         let mut way: Vector = held.map(|way| way.unwrap_or(0.0));
         for (value, direction) in eigenvectors(matrix) {
-            if value > FLAT * self.planes {
+            if value > flat * self.planes {
                 let part = scale(direction, dot(direction, target) / value);
                 (0..3).filter(|axis| is_free(*axis)).for_each(|axis| way[axis] += part[axis]);
             }

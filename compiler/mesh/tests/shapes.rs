@@ -1,43 +1,12 @@
 //! Meshes of solids whose form is known.
 
+mod support;
+
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use chiaro_compiler::{Options, Scene, World, compile};
 use chiaro_mesh::{Detail, Error, GraphField, Model, model};
-
-struct Text<'a>(&'a str);
-
-impl World for Text<'_> {
-    fn find(&self, _: &str, _: &str) -> Option<String> {
-        None
-    }
-
-    fn read(&self, _: &str) -> Result<Vec<u8>, String> {
-        Ok(self.0.as_bytes().to_vec())
-    }
-}
-
-fn scene(text: &str) -> Scene {
-    let compilation = compile(&Text(text), "scene.scad", &Options::default());
-    compilation.scene.unwrap_or_else(|| panic!("{text}: {:?}", compilation.diagnostics))
-}
-
-fn attempt(text: &str, detail: &Detail) -> Result<Model, Error> {
-    let scene = scene(text);
-    let values = scene.defaults();
-    model(&GraphField::new(&scene.graph, &values), detail, &mut |_| ControlFlow::Continue(()))
-}
-
-fn at(resolution: u32) -> Detail {
-    Detail { resolution: Some(resolution), tolerance: None }
-}
-
-fn mesh_of(text: &str, detail: &Detail) -> Model {
-    let model = attempt(text, detail).unwrap_or_else(|error| panic!("{text}: {error}"));
-    assert!(model.mesh.is_manifold(), "{text}");
-    model
-}
+use support::{at, attempt, mesh_of, scene};
 
 #[track_caller]
 fn assert_volume(model: &Model, expected: f64, tolerance: f64) {

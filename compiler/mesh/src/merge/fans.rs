@@ -28,6 +28,11 @@ impl Fans {
         &self.around[vertex as usize]
     }
 
+    /// Whether a triangle is left.
+    pub(super) fn has(&self, triangle: u32) -> bool {
+        !self.gone[triangle as usize]
+    }
+
     /// The triangles that are left.
     pub(super) fn left(&self) -> impl Iterator<Item = u32> {
         (0..self.triangles.len() as u32).filter(|triangle| !self.gone[*triangle as usize])
