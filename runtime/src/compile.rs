@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use anyhow::Result;
+use chiaro_compiler::field::Node;
 use chiaro_compiler::syntax::Sources;
 use chiaro_compiler::{Compilation, Facets, Options, Scene, shader};
 use chiaro_files::FileWorld;
@@ -29,6 +30,10 @@ pub(crate) fn compilation(arguments: &SceneArguments, global: &Global) -> Result
     let world = FileWorld::new();
     let compilation = chiaro_compiler::compile(&world, &world.name_of(&arguments.file), &options);
     terminal::report(&compilation.sources, &compilation.diagnostics, global)?;
+    let is_empty = |scene: &Scene| matches!(scene.graph.nodes[scene.graph.root.0 as usize], Node::Nothing);
+    if compilation.scene.as_ref().is_some_and(is_empty) {
+        terminal::note(global, &format!("{}: the scene is empty", arguments.file.display()));
+    }
     Ok(compilation)
 }
 

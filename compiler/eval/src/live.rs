@@ -102,8 +102,17 @@ fn note(parameter: &LiveParameter, demotion: &Demotion) -> (String, Diagnostic) 
         Some(component) => format!("{}[{component}]", parameter.name),
         None => parameter.name.to_string(),
     };
-    let message = format!("`{name}` decides the structure of the scene here, so that changing it recompiles");
-    let note = Diagnostic::note(demotion.span, message).with_label(demotion.reason);
+    let note = if demotion.number.is_finite() {
+        let message = format!("`{name}` decides the structure of the scene here, so that changing it recompiles");
+        Diagnostic::note(demotion.span, message).with_label(demotion.reason)
+    } else {
+        let Interval { min, max } = parameter.range;
+        let message =
+            format!("changing `{name}` recompiles, because this may not be a finite number for all its values");
+        Diagnostic::note(demotion.span, message)
+            .with_label(format!("with `{name}` anywhere from {min} to {max}"))
+            .with_hint("a smaller range, or a limit such as `min`, `max` or `? :` around what fails, keeps it live")
+    };
     let note = match parameter.span {
         Some(span) => note.with_related(span, "the parameter"),
         None => note,

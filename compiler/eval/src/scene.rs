@@ -3,7 +3,7 @@
 use std::rc::Rc;
 use std::sync::Arc;
 
-use chiaro_solid::{Camera, Emitter, LiveParameter, PlacedLight, Scalar, Scene, Solid};
+use chiaro_solid::{Camera, Emitter, LiveParameter, PlacedLight, Scalar, Scene, Solid, SolidKind};
 use chiaro_syntax::tree::{Expression, Statement};
 use chiaro_syntax::{Diagnostic, FileId, Severity, SourceFile, Sources, Span, parse};
 
@@ -144,6 +144,7 @@ impl<'t> Evaluator<'t> {
             None => (built.solid, aside.lights),
         };
         self.check_environments(&lights);
+        self.check_darkness(&root, &lights);
         Ok(Shown { root, lights, camera })
     }
 
@@ -171,6 +172,20 @@ impl<'t> Evaluator<'t> {
         if let (Some(first), Some(last)) = (environments.next(), environments.next_back()) {
             let message = "the scene has several environments: the last one counts";
             self.warn(Diagnostic::warning(last.span, message).with_related(first.span, "the first one"));
+        }
+    }
+
+    /// Says why a picture will be black: there is nothing to be lit, or no light.
+    fn check_darkness(&mut self, root: &Solid, lights: &[PlacedLight]) {
+        let Some(first) = lights.first() else { return };
+        let is_sky = |placed: &PlacedLight| matches!(placed.light.emitter, Emitter::Environment { .. });
+        if lights.iter().all(|placed| placed.light.is_dark()) {
+            let message = "no light of this scene shines, so that its picture is black";
+            let warning = Diagnostic::warning(first.span, message);
+            self.warn(warning.with_hint("without any light in its text, a scene is shown in a studio"));
+        } else if matches!(root.kind, SolidKind::Empty) && !lights.iter().any(is_sky) {
+            let message = "there is no solid for this light to shine on, so that the picture shows nothing lit";
+            self.warn(Diagnostic::warning(first.span, message));
         }
     }
 
@@ -305,10 +320,12 @@ impl<'t> Evaluator<'t> {
         }
     }
 
-    /// Whether numbers of the view are finite; warns if not. Of live ones, that is taken for granted.
+    /// Whether numbers of the view are finite; warns if not, and asks for live ones to be known that may not be.
     fn are_finite(&mut self, numbers: &[Scalar], name: &str, span: Span) -> bool {
-        let finite = numbers.iter().all(|number| number.constant().is_none_or(f64::is_finite));
-        if !finite {
+        let finite = numbers.iter().all(Scalar::is_finite);
+        if let Some(live) = numbers.iter().find(|number| number.constant().is_none() && !number.is_finite()) {
+            self.demotions.push(*Live::demotion(live.clone(), span, "a finite number"));
+        } else if !finite {
             self.warn(Diagnostic::warning(span, format!("`{name}` is not finite, so that it is left open")));
         }
         finite

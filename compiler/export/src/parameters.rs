@@ -84,6 +84,9 @@ pub fn snake_case(name: &str, otherwise: &str) -> String {
 }
 
 /// A live number as WGSL, in terms of the uniform variable `parameters`. Angles of scenes are in degrees.
+///
+/// What goes into functions that are not defined everywhere is within their domains for all values of the parameters, but
+/// in single precision it may be rounded to just outside of them.
 pub(crate) fn expression(scalar: &Scalar, parameters: &[Parameter]) -> String {
     let Scalar::Live(live) = scalar else { return number(scalar.constant().unwrap_or_default()) };
     match &live.operation {
@@ -103,6 +106,8 @@ fn applied(function: Function, x: &[String]) -> String {
     let call = |name: &str| format!("{name}({})", x.join(", "));
     let of_angle = |name: &str| format!("{name}(radians({}))", x[0]);
     let angle = |name: &str| format!("degrees({name}({}))", x.join(", "));
+    let within_one = |name: &str| format!("degrees({name}(clamp({}, -1.0, 1.0)))", x[0]);
+    let logarithm = format!("log(max({}, 1e-37))", x[0]);
     match function {
         Function::Negate => format!("(-{})", x[0]),
         Function::Add => infix("+"),
@@ -115,18 +120,18 @@ fn applied(function: Function, x: &[String]) -> String {
         Function::Max => call("max"),
         Function::Abs => call("abs"),
         Function::Sign => call("sign"),
-        Function::Sqrt => call("sqrt"),
+        Function::Sqrt => format!("sqrt(max({}, 0.0))", x[0]),
         Function::Exp => call("exp"),
-        Function::Ln => call("log"),
-        Function::Log => format!("({} / log(10.0))", call("log")),
+        Function::Ln => logarithm,
+        Function::Log => format!("({logarithm} / log(10.0))"),
         Function::Floor => call("floor"),
         Function::Ceil => call("ceil"),
         Function::Round => format!("(sign({0}) * floor(abs({0}) + 0.5))", x[0]),
         Function::Sin => of_angle("sin"),
         Function::Cos => of_angle("cos"),
         Function::Tan => of_angle("tan"),
-        Function::Asin => angle("asin"),
-        Function::Acos => angle("acos"),
+        Function::Asin => within_one("asin"),
+        Function::Acos => within_one("acos"),
         Function::Atan => angle("atan"),
         Function::Atan2 => angle("atan2"),
         Function::Less => format!("select(0.0, 1.0, {} < {})", x[0], x[1]),

@@ -6,21 +6,22 @@ fn live_power(x: f32, y: f32) -> f32 {
     return select(1.0, -1.0, (x < 0.0) & is_odd) * pow(abs(x), y);
 }
 
-// What the matrix with these rows scales lengths by at the least: the square root of the least eigenvalue of its square
-// (Smith, "Eigenvalues of a symmetric 3 × 3 matrix", 1961).
+// What the matrix with these rows scales lengths by at the least: its least singular value, by turning pairs of columns
+// until all are at right angles (Hestenes, "Inversion of matrices by biorthogonalization", 1958). Each turn goes on to
+// the next pair.
 fn least_stretch(x: vec3<f32>, y: vec3<f32>, z: vec3<f32>) -> f32 {
-    let diagonal = x * x + y * y + z * z;
-    let across = vec3(
-        x.x * x.y + y.x * y.y + z.x * z.y,
-        x.y * x.z + y.y * y.z + z.y * z.z,
-        x.x * x.z + y.x * y.z + z.x * z.z,
-    );
-    let mean = (diagonal.x + diagonal.y + diagonal.z) / 3.0;
-    let from_mean = diagonal - mean;
-    let spread = sqrt(max((dot(from_mean, from_mean) + 2.0 * dot(across, across)) / 6.0, 1e-12 * mean * mean));
-    let d = from_mean / spread;
-    let e = across / spread;
-    let determinant = d.x * (d.y * d.z - e.y * e.y) - e.x * (e.x * d.z - e.y * e.z) + e.z * (e.x * e.y - d.y * e.z);
-    let angle = acos(clamp(0.5 * determinant, -1.0, 1.0)) / 3.0;
-    return sqrt(max(mean + 2.0 * spread * cos(angle + 2.0943951), 0.0));
+    var a = vec3(x.x, y.x, z.x);
+    var b = vec3(x.y, y.y, z.y);
+    var c = vec3(x.z, y.z, z.z);
+    for (var turn = 0; turn < 18; turn++) {
+        let skew = 2.0 * dot(a, b);
+        let longer = dot(b, b) - dot(a, a);
+        let tangent = select(-skew, skew, longer >= 0.0) / max(abs(longer) + length(vec2(longer, skew)), 1e-30);
+        let cosine = inverseSqrt(1.0 + tangent * tangent);
+        let turned = cosine * (a - tangent * b);
+        a = cosine * (b + tangent * a);
+        b = c;
+        c = turned;
+    }
+    return min(length(a), min(length(b), length(c)));
 }

@@ -1,11 +1,11 @@
 //! Facts at certain values of the live parameters.
 
-use chiaro_solid::{Affine, Scalar};
+use chiaro_solid::{Affine, Scalar, singular};
 use chiaro_vocabulary::{Bounds, Interval};
 
 use crate::extent::{Extent, Measure, Placement, Ranges};
 use crate::graph::{Graph, PointId};
-use crate::matrix::{inverse, largest_singular_value, linear};
+use crate::matrix::{inverse, linear};
 
 impl Graph {
     /// The box of each node while the live parameters, in the order of their ids, have these values. It is within
@@ -36,7 +36,7 @@ impl Ranges for Values<'_> {
 
     fn placement(&self, map: &Affine, _: PointId) -> Placement {
         let rows = inverse(&map.value(self.parameters));
-        let stretch = largest_singular_value(&linear(&rows));
+        let stretch = singular::greatest(&linear(&rows));
         Placement { rows: rows.map(|row| row.map(Interval::point)), stretch }
     }
 }

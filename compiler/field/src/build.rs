@@ -3,7 +3,7 @@
 use std::hash::{Hash, Hasher};
 
 use chiaro_plane::Edge;
-use chiaro_solid::{Affine, Material, Scalar};
+use chiaro_solid::{Affine, Material, Scalar, singular};
 use chiaro_syntax::Span;
 use chiaro_vocabulary::{Class, Interval};
 use rustc_hash::{FxHashMap, FxHasher};
@@ -11,7 +11,7 @@ use rustc_hash::{FxHashMap, FxHasher};
 use crate::extent::{Extent, Measure, Placement, Ranges};
 use crate::facts::Facts;
 use crate::graph::{self, Graph, MaterialId, Node, NodeId, Point, PointId};
-use crate::matrix::{constant_rows, largest_singular_value, linear};
+use crate::matrix::{constant_rows, linear};
 use crate::walk;
 
 /// A graph under construction: nodes only ever join it. What the root does not need is left out at the end.
@@ -177,7 +177,7 @@ impl Ranges for Placements {
         };
         if let Some(rows) = constant_rows(forward) {
             let similar = matches!(forward.similarity(), Similarity::Uniform(_));
-            let stretch = if similar { 1.0 } else { largest_singular_value(&linear(&rows)).max(1.0) };
+            let stretch = if similar { 1.0 } else { singular::greatest(&linear(&rows)).max(1.0) };
             return Placement { rows: rows.map(|row| row.map(Interval::point)), stretch };
         }
         let mut rows = forward.rows().each_ref().map(|row| row.each_ref().map(Scalar::range));

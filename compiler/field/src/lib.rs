@@ -10,11 +10,12 @@
 //! * [`Painter`] answers how the surface looks; [`paints`] tells who painted what.
 //! * [`print()`] shows a graph as text.
 //!
-//! Inside, `build` keeps graphs free of duplicates, `extent` measures where nodes are, `walk` visits what they refer
+//! Inside, `build` keeps graphs free of duplicates, `checks` refuses numbers that none can use, `extent` measures where nodes are, `walk` visits what they refer
 //! to, `pattern` tells what fields have in common, and `matrix` and `hull` do the arithmetic.
 
 mod at;
 mod build;
+mod checks;
 pub mod crowd;
 pub mod evaluate;
 mod extent;

@@ -23,6 +23,7 @@ use chiaro_vocabulary::{Class, Row, rows};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::build::Builder;
+use crate::checks;
 use crate::extent::WORLD;
 use crate::graph::{Graph, Node, NodeId, Point};
 use crate::lineage::{Lineage, Recorder};
@@ -42,10 +43,12 @@ pub fn lower(root: &Arc<Solid>) -> (Graph, Vec<Diagnostic>) {
     if let Some(root) = lowered {
         lowering.check_slopes(root);
     }
-    let Lowering { mut builder, diagnostics, .. } = lowering;
+    let Lowering { mut builder, mut diagnostics, .. } = lowering;
     let root = lowered.unwrap_or_else(|| builder.node(Node::Nothing, root.span, Class::Exact, 1.0));
     let root = normalise::normalised(&mut builder, root);
-    (builder.finish(root), diagnostics)
+    let graph = builder.finish(root);
+    diagnostics.extend(checks::unfit(&graph));
+    (graph, diagnostics)
 }
 
 /// Lowers a scene and keeps, for each of its solids, the node that it came to.

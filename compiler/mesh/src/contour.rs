@@ -24,7 +24,7 @@ pub(crate) struct Contour {
 pub(crate) fn contour(lattice: &Lattice, sampler: &mut Sampler) -> Result<Option<Contour>, Error> {
     let Some(cells) = cells(lattice, sampler)? else { return Ok(None) };
     let crossings = crossings(lattice, &cells, sampler)?;
-    let sheets = Sheets::new(&cells, &crossings);
+    let sheets = Sheets::new(&cells, &crossings).ok_or(Error::BeyondBounds)?;
     let vertices = place(lattice, &cells, &crossings, &sheets, sampler)?;
     let quads: Vec<Quad> = sheets
         .around()

@@ -34,6 +34,27 @@ pub enum Error {
         /// How many millions of cells fit.
         most: usize,
     },
+    /// Files of meshes have numbers in single precision, in which the scene would be a heap of crumbs.
+    #[error(
+        "the scene is {size:.3e} mm large, but {far:.3e} mm from the origin, where the numbers of mesh files are rounded to {rounding:.1e} mm: move it nearer to the origin"
+    )]
+    TooFar {
+        /// The diagonal of the scene's box, in millimetres.
+        size: f64,
+        /// How far from the origin it reaches.
+        far: f64,
+        /// The distance of neighbouring numbers there.
+        rounding: f64,
+    },
+    /// The field has no value at a point, and so no surface around it.
+    #[error("the distance to the scene is not a number at {point:?}, so that there is no surface to make a mesh of")]
+    NotANumber {
+        /// The point, in millimetres.
+        point: [f64; 3],
+    },
+    /// The surface goes on where the field says there is nothing.
+    #[error("the surface leaves the box that the scene should be in, so that its mesh would have holes")]
+    BeyondBounds,
     /// Whoever watched said so.
     #[error("cancelled")]
     Cancelled,

@@ -124,7 +124,7 @@ impl<'a> Sampler<'a> {
         items: &[T],
         point: impl Fn(&T) -> [f64; 3],
     ) -> Result<Vec<f64>, Error> {
-        self.in_batches(stage, items, point, |field, points| field.distances(points))
+        self.in_batches(stage, items, point, |field, points| numbers(points, field.distances(points), |value| *value))
     }
 
     /// The same with gradients.
@@ -134,7 +134,9 @@ impl<'a> Sampler<'a> {
         items: &[T],
         point: impl Fn(&T) -> [f64; 3],
     ) -> Result<Vec<Dual>, Error> {
-        self.in_batches(stage, items, point, |field, points| field.gradients(points))
+        self.in_batches(stage, items, point, |field, points| {
+            numbers(points, field.gradients(points), |dual: &Dual| dual.value)
+        })
     }
 
     /// How the surface looks at the points that the items stand for.
@@ -144,7 +146,7 @@ impl<'a> Sampler<'a> {
         items: &[T],
         point: impl Fn(&T) -> [f64; 3],
     ) -> Result<Vec<Look>, Error> {
-        self.in_batches(stage, items, point, |field, points| field.looks(points))
+        self.in_batches(stage, items, point, |field, points| Ok(field.looks(points)))
     }
 
     pub(crate) fn tell(&mut self, stage: Stage, done: usize, of: usize) -> Result<(), Error> {
@@ -159,14 +161,22 @@ impl<'a> Sampler<'a> {
         stage: Stage,
         items: &[T],
         point: impl Fn(&T) -> [f64; 3],
-        ask: impl Fn(&dyn Field, &[[f64; 3]]) -> Vec<R>,
+        ask: impl Fn(&dyn Field, &[[f64; 3]]) -> Result<Vec<R>, Error>,
     ) -> Result<Vec<R>, Error> {
         let mut answers = Vec::with_capacity(items.len());
         for batch in items.chunks(BATCH) {
             let points: Vec<[f64; 3]> = batch.iter().map(&point).collect();
-            answers.extend(ask(self.field, &points));
+            answers.extend(ask(self.field, &points)?);
             self.tell(stage, answers.len(), items.len())?;
         }
         Ok(answers)
+    }
+}
+
+/// The answers at these points, if the values of all of them are numbers.
+fn numbers<R>(points: &[[f64; 3]], answers: Vec<R>, value: impl Fn(&R) -> f64) -> Result<Vec<R>, Error> {
+    match answers.iter().position(|answer| value(answer).is_nan()) {
+        Some(index) => Err(Error::NotANumber { point: points[index] }),
+        None => Ok(answers),
     }
 }

@@ -115,7 +115,7 @@ const APART: f64 = 2e-6;
 /// Coordinates are multiples of about this part of the diagonal: what was to be 0 is 0.
 const ROUND: f64 = 1e-10;
 
-/// The box of a field, if that is finite and has something in it.
+/// The box of a field, if that is finite, has something in it, and is near enough for the numbers of meshes.
 fn bounded(field: &dyn Field) -> Result<Bounds, Error> {
     let bounds = field.bounds();
     if bounds.is_empty() || bounds.diagonal() == 0.0 {
@@ -123,7 +123,12 @@ fn bounded(field: &dyn Field) -> Result<Bounds, Error> {
     }
     let endless = (0..3).filter(|axis| !(bounds.min[*axis].is_finite() && bounds.max[*axis].is_finite()));
     let names: Vec<&str> = endless.map(|axis| ["x", "y", "z"][axis]).collect();
-    if names.is_empty() { Ok(bounds) } else { Err(Error::Unbounded { axes: names.join(", ") }) }
+    if !names.is_empty() {
+        return Err(Error::Unbounded { axes: names.join(", ") });
+    }
+    let (size, far) = (bounds.diagonal(), (0..3).map(|axis| bounds.axis(axis).magnitude()).fold(0.0, f64::max));
+    let rounding = far * f64::from(f32::EPSILON);
+    if rounding > TOLERANCE * size { Err(Error::TooFar { size, far, rounding }) } else { Ok(bounds) }
 }
 
 fn at_resolution(bounds: &Bounds, resolution: u32, sampler: &mut Sampler) -> Result<(Contour, f64), Error> {

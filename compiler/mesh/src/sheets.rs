@@ -16,7 +16,8 @@ pub(crate) struct Sheets {
 }
 
 impl Sheets {
-    pub(crate) fn new(cells: &Cells, crossings: &[Crossing]) -> Self {
+    /// None if the surface goes on where there are no cells.
+    pub(crate) fn new(cells: &Cells, crossings: &[Crossing]) -> Option<Self> {
         let cycles = cycles(cells);
         let mut firsts = Vec::with_capacity(cycles.len());
         let mut owners = Vec::with_capacity(cycles.len());
@@ -24,23 +25,22 @@ impl Sheets {
             firsts.push(owners.len() as u32);
             owners.extend((0..cycles.count).map(|_| cell as CellId));
         }
-        let around: Vec<[u32; 4]> = (crossings.iter())
-            .map(|crossing| {
-                let (b, c) = ((crossing.axis + 1) % 3, (crossing.axis + 2) % 3);
-                [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(at_b, at_c)| {
-                    let mut site = cells.cells[crossing.cell as usize].site;
-                    site[b] -= at_b;
-                    site[c] -= at_c;
-                    let Some(cell) = cells.at(site) else {
-                        unreachable!("the surface goes through all cells of an edge")
-                    };
-                    let edge = 4 * crossing.axis + at_b as usize + 2 * at_c as usize;
-                    firsts[cell as usize] + u32::from(cycles[cell as usize].of_edge[edge])
-                })
-            })
-            .collect();
+        let sheet = |crossing: &Crossing, at_b: u32, at_c: u32| {
+            let (b, c) = ((crossing.axis + 1) % 3, (crossing.axis + 2) % 3);
+            let mut site = cells.cells[crossing.cell as usize].site;
+            site[b] = site[b].checked_sub(at_b)?;
+            site[c] = site[c].checked_sub(at_c)?;
+            let cell = cells.at(site)? as usize;
+            let edge = 4 * crossing.axis + at_b as usize + 2 * at_c as usize;
+            Some(firsts[cell] + u32::from(cycles[cell].of_edge[edge]))
+        };
+        let around = crossings.iter().map(|crossing| {
+            let sheet = |at_b, at_c| sheet(crossing, at_b, at_c);
+            Some([sheet(0, 0)?, sheet(1, 0)?, sheet(1, 1)?, sheet(0, 1)?])
+        });
+        let around: Vec<[u32; 4]> = around.collect::<Option<_>>()?;
         let (starts, listed) = by_sheet(owners.len(), &around);
-        Self { cells: owners, around, starts, crossings: listed }
+        Some(Self { cells: owners, around, starts, crossings: listed })
     }
 
     pub(crate) fn count(&self) -> usize {

@@ -5,7 +5,10 @@ mod support;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use chiaro_mesh::{Detail, Error, GraphField, Model, model};
+use chiaro_compiler::field::Look;
+use chiaro_compiler::vocabulary::Bounds;
+use chiaro_compiler::vocabulary::cpu::Dual;
+use chiaro_mesh::{Detail, Error, Field, GraphField, Model, model};
 use support::{at, attempt, mesh_of, scene};
 
 #[track_caller]
@@ -162,4 +165,68 @@ fn whoever_watches_can_stop_it() {
     };
     assert_eq!(model(&field, &at(60), &mut watch).unwrap_err(), Error::Cancelled);
     assert_eq!(calls, 3);
+}
+
+/// A field that is not what it should be.
+struct Odd {
+    bounds: Bounds,
+    value: fn([f64; 3]) -> f64,
+}
+
+impl Field for Odd {
+    fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    fn lipschitz(&self) -> f64 {
+        1.0
+    }
+
+    fn distances(&self, points: &[[f64; 3]]) -> Vec<f64> {
+        points.iter().map(|point| (self.value)(*point)).collect()
+    }
+
+    fn gradients(&self, points: &[[f64; 3]]) -> Vec<Dual> {
+        let dual = |value| Dual { value, gradient: [1.0, 0.0, 0.0] };
+        self.distances(points).into_iter().map(dual).collect()
+    }
+
+    fn looks(&self, _: &[[f64; 3]]) -> Vec<Look> {
+        unreachable!("it has one look")
+    }
+
+    fn materials(&self) -> Vec<Look> {
+        let scene = scene("sphere(1);");
+        GraphField::new(&scene.graph, &[]).materials()
+    }
+
+    fn only_look(&self) -> Option<Look> {
+        self.materials().first().copied()
+    }
+}
+
+fn meshed(field: &Odd) -> Result<Model, Error> {
+    model(field, &at(20), &mut |_| ControlFlow::Continue(()))
+}
+
+#[test]
+fn a_field_that_is_not_what_it_says_is_an_error() {
+    let bounds = Bounds::centred([5.0; 3]);
+    let nowhere = meshed(&Odd { bounds, value: |_| f64::NAN });
+    assert!(matches!(nowhere, Err(Error::NotANumber { .. })), "{nowhere:?}");
+    let half = meshed(&Odd { bounds, value: |p| if p[1] > 0.3 { f64::NAN } else { p[0] } });
+    assert!(matches!(half, Err(Error::NotANumber { .. })), "{half:?}");
+    // A half space is said to be in a box.
+    let endless = meshed(&Odd { bounds, value: |p| p[0] });
+    assert_eq!(endless.unwrap_err(), Error::BeyondBounds);
+}
+
+#[test]
+fn what_is_small_and_far_away_has_no_mesh() {
+    for far in ["1e5", "1e9", "9e14"] {
+        let error = attempt(&format!("translate([{far}, 0, 0]) cube(1);"), &Detail::default()).unwrap_err();
+        assert!(matches!(error, Error::TooFar { .. }), "{far}: {error}");
+    }
+    let near = mesh_of("translate([1e3, 0, 0]) cube(1);", &at(20));
+    assert_volume(&near, 1.0, 1e-3);
 }

@@ -38,10 +38,6 @@ use crate::template::Parsed;
 /// count.
 pub const MAX_NODES: usize = 20_000;
 
-/// How far from the origin a scene may reach, in millimetres: the vocabulary's FAR, to which there is nothing, and whose
-/// square is still a number in a shader's precision.
-const FARTHEST: f64 = 1e15;
-
 /// A scene in a module.
 pub(crate) struct Emitted {
     pub(crate) module: Module,
@@ -138,12 +134,6 @@ fn check_size(graph: &Graph, crowds: &Crowds, series: &AllSeries) -> Result<(), 
     if live > most {
         let message = format!("too many live numbers for one shader: {live}, of at most {most}");
         return Err(Diagnostic::error(root, message).with_hint("make some of the parameters constant"));
-    }
-    let is_remote = |c: &f64| c.is_finite() && c.abs() > FARTHEST;
-    let remote = graph.facts.iter().position(|facts| facts.bounds.min.iter().chain(&facts.bounds.max).any(is_remote));
-    if let Some(remote) = remote {
-        let message = format!("this reaches farther than {FARTHEST:e} mm, which a shader's numbers have no room for");
-        return Err(Diagnostic::error(graph.spans.get(remote).copied(), message).with_hint("scale the scene down"));
     }
     Ok(())
 }

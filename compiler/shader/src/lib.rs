@@ -25,6 +25,6 @@ pub use emit::MAX_NODES;
 pub use one_pass::{Light, Setting, Sky, one_pass};
 pub use shadows::{Shadows, Verified};
 pub use splice::{Shader, splice, splice_with_crowds};
-pub use tables::Tables;
+pub use tables::{Tables, single};
 pub use template::{FOR_SCREENS, GLOSS_TABLE, Inspect, Template};
 pub use text::{Library, Listing, Names, library, listing, wgsl};

@@ -143,7 +143,7 @@ fn box_around(pieces: &[Piece]) -> [f32; 4] {
 
 /// The number in single precision. What is beyond 10¹⁸ becomes that, so that its square is finite; what is too small
 /// for a normal number, and −0, become 0.
-pub(crate) fn single(value: f64) -> f32 {
+pub fn single(value: f64) -> f32 {
     const LIMIT: f64 = 1e18;
     let rounded = value.clamp(-LIMIT, LIMIT) as f32;
     if rounded.is_subnormal() || rounded == 0.0 { 0.0 } else { rounded }

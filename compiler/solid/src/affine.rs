@@ -1,16 +1,24 @@
 //! Affine maps of space.
 
 use std::array;
+use std::hash::{Hash, Hasher};
 
 use crate::scalar::{Function, Scalar};
+use crate::singular;
 
 /// An affine map: the upper three rows of a 4 × 4 matrix, the last column being the translation in millimetres.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug)]
 pub struct Affine {
     rows: [[Scalar; 4]; 3],
     /// The one factor it changes all distances by, if it is known to be a similarity: from its entries if they are
     /// constant, else from how it was made.
     factor: Option<Scalar>,
+    /// The determinant of its linear part, if that is known from how it was made. Of live entries, it has a tighter
+    /// range than what they come to: of a turn, it is 1.
+    determinant: Option<Scalar>,
+    /// What it changes distances by at the least, if it is no similarity and that is known from how it was made: turns
+    /// before or after a stretch don't change it.
+    least: Option<Scalar>,
 }
 
 /// How an affine map changes distances.
@@ -31,12 +39,12 @@ impl Affine {
     /// The map with these rows.
     pub fn new(rows: [[Scalar; 4]; 3]) -> Self {
         let factor = uniform_factor(&rows);
-        Self { rows, factor }
+        Self { rows, factor, determinant: None, least: None }
     }
 
     /// The map with these rows, of which the caller knows that it changes all distances by this positive factor.
     pub fn similar(rows: [[Scalar; 4]; 3], factor: Scalar) -> Self {
-        Self { rows, factor: Some(factor) }
+        Self { rows, factor: Some(factor), determinant: None, least: None }
     }
 
     /// The map with these constant rows.
@@ -57,9 +65,10 @@ impl Affine {
     pub fn scaling(factors: [Scalar; 3]) -> Self {
         let factor = (factors[0] == factors[1] && factors[1] == factors[2]).then(|| factors[0].clone().abs());
         let [x, y, z] = factors;
+        let determinant = x.clone() * y.clone() * z.clone();
         let zero = || Scalar::ZERO;
         let rows = [[x, zero(), zero(), zero()], [zero(), y, zero(), zero()], [zero(), zero(), z, zero()]];
-        Self { factor: factor.or_else(|| uniform_factor(&rows)), rows }
+        Self { factor: factor.or_else(|| uniform_factor(&rows)), rows, determinant: Some(determinant), least: None }
     }
 
     /// Turns about an axis (0 = x, 1 = y, 2 = z) by an angle in degrees.
@@ -91,7 +100,7 @@ impl Affine {
             let across = if i == j { cos.clone() } else { cross(i, j) * sin.clone() };
             along + across
         };
-        Self::rigid(entry)
+        Self::rigid(entry, Scalar::ONE)
     }
 
     /// Mirrors at the plane through the origin with this normal, which is not zero.
@@ -99,12 +108,12 @@ impl Affine {
         let n = normalized(normal);
         let entry =
             |i: usize, j: usize| Scalar::from(f64::from(i == j)) - Scalar::from(2.0) * n[i].clone() * n[j].clone();
-        Self::rigid(entry)
+        Self::rigid(entry, -Scalar::ONE)
     }
 
-    fn rigid(entry: impl Fn(usize, usize) -> Scalar) -> Self {
+    fn rigid(entry: impl Fn(usize, usize) -> Scalar, determinant: Scalar) -> Self {
         let rows = array::from_fn(|i| array::from_fn(|j| if j == 3 { Scalar::ZERO } else { entry(i, j) }));
-        Self { rows, factor: Some(Scalar::ONE) }
+        Self { rows, factor: Some(Scalar::ONE), determinant: Some(determinant), least: None }
     }
 
     /// Its rows.
@@ -121,7 +130,31 @@ impl Affine {
         };
         let rows = array::from_fn(|i| array::from_fn(|j| entry(i, j)));
         let factor = self.factor.clone().zip(inner.factor.clone()).map(|(outer, inner)| outer * inner);
-        Affine { factor: factor.or_else(|| uniform_factor(&rows)), rows }
+        let factor = factor.or_else(|| uniform_factor(&rows));
+        if is_constant(&rows) {
+            return Affine { rows, factor, determinant: None, least: None };
+        }
+        let determinant = Some(self.determinant() * inner.determinant());
+        let least = match (self.similarity(), inner.similarity()) {
+            (Similarity::Uniform(factor), Similarity::AtLeast(least))
+            | (Similarity::AtLeast(least), Similarity::Uniform(factor)) => Some(factor * least),
+            _ => None,
+        };
+        Affine { rows, factor, determinant, least }
+    }
+
+    /// The map that first divides the axes by these factors, which are not zero, and then applies `self` with
+    /// everything it moves by multiplied by `size`.
+    pub fn divided(&self, factors: &[Scalar; 3], size: &Scalar) -> Affine {
+        let row = |row: &[Scalar; 4]| {
+            let [x, y, z] = array::from_fn(|j| ratio(&row[j], &factors[j]));
+            [x, y, z, row[3].clone() * size.clone()]
+        };
+        let rows = self.rows.each_ref().map(row);
+        let factor = self.factor.as_ref().map(|_| Scalar::ONE).or_else(|| uniform_factor(&rows));
+        let [x, y, z] = factors.clone();
+        let determinant = (!is_constant(&rows)).then(|| self.determinant() / (x * y * z));
+        Affine { rows, factor, determinant, least: None }
     }
 
     /// Where it takes a point.
@@ -134,6 +167,9 @@ impl Affine {
 
     /// The determinant of its linear part.
     pub fn determinant(&self) -> Scalar {
+        if let Some(known) = &self.determinant {
+            return known.clone();
+        }
         (0..3).map(|j| self.rows[0][j].clone() * self.cofactor(0, j)).fold(Scalar::ZERO, |sum, term| sum + term)
     }
 
@@ -151,7 +187,13 @@ impl Affine {
             let [x, y, z] = row;
             [x, y, z, translation]
         });
-        Affine { rows, factor: self.factor.clone().map(|factor| Scalar::ONE / factor) }
+        let factor = self.factor.clone().map(|factor| Scalar::ONE / factor);
+        Affine { rows, factor, determinant: Some(Scalar::ONE / determinant), least: None }
+    }
+
+    /// Whether all its entries are constants.
+    pub fn is_constant(&self) -> bool {
+        is_constant(&self.rows)
     }
 
     fn cofactor(&self, i: usize, j: usize) -> Scalar {
@@ -169,13 +211,50 @@ impl Affine {
     pub fn similarity(&self) -> Similarity {
         match &self.factor {
             Some(factor) => Similarity::Uniform(factor.clone()),
-            None => Similarity::AtLeast(Scalar::apply(Function::SmallestSingularValue, linear_part(&self.rows))),
+            None => Similarity::AtLeast(self.least.clone().unwrap_or_else(|| {
+                let mut numbers = linear_part(&self.rows);
+                numbers.push(self.determinant());
+                Scalar::apply(Function::SmallestSingularValue, numbers)
+            })),
         }
     }
 
     /// Its rows while the parameters have these values.
     pub fn value(&self, parameters: &[f64]) -> [[f64; 4]; 3] {
         array::from_fn(|i| array::from_fn(|j| self.rows[i][j].value(parameters)))
+    }
+}
+
+impl PartialEq for Affine {
+    /// By what it does; the rest follows from that.
+    fn eq(&self, other: &Affine) -> bool {
+        self.rows == other.rows && self.factor == other.factor
+    }
+}
+
+impl Eq for Affine {}
+
+impl Hash for Affine {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.rows.hash(state);
+        self.factor.hash(state);
+    }
+}
+
+fn is_constant(rows: &[[Scalar; 4]; 3]) -> bool {
+    rows.iter().flatten().all(|entry| entry.constant().is_some())
+}
+
+/// A number divided by a positive one; exactly ±1 where they are equal up to the sign.
+fn ratio(number: &Scalar, by: &Scalar) -> Scalar {
+    if by.is(1.0) || number.is(0.0) {
+        number.clone()
+    } else if number == by || (number.clone().abs() == *by && number.range().min >= 0.0) {
+        Scalar::ONE
+    } else if -number.clone() == *by || (number.clone().abs() == *by && number.range().max <= 0.0) {
+        -Scalar::ONE
+    } else {
+        number.clone() / by.clone()
     }
 }
 
@@ -197,7 +276,7 @@ fn uniform_factor(rows: &[[Scalar; 4]; 3]) -> Option<Scalar> {
     if !(lengths_equal && perpendicular) {
         return None;
     }
-    let factor = Function::SmallestSingularValue.value(&m);
+    let [_, _, factor] = singular::values(&[[m[0], m[1], m[2]], [m[3], m[4], m[5]], [m[6], m[7], m[8]]]);
     Some(Scalar::from(if (factor - 1.0).abs() < TOLERANCE { 1.0 } else { factor }))
 }
 

@@ -7,6 +7,7 @@ pub mod light;
 pub mod print;
 pub mod scalar;
 pub mod scene;
+pub mod singular;
 pub mod tree;
 
 pub use affine::Affine;

@@ -41,6 +41,20 @@ pub struct Light {
     pub shadows: Option<Arc<str>>,
 }
 
+impl Light {
+    /// Whether it gives no light, whatever values live numbers have.
+    pub fn is_dark(&self) -> bool {
+        let (Strength::Power(strength) | Strength::Luminance(strength) | Strength::Illuminance(strength)) =
+            &self.strength;
+        let is_black = |color: &[Scalar; 3]| color.iter().all(|component| component.is(0.0));
+        let filters_all = match &self.emitter {
+            Emitter::Environment { zenith, horizon, ground } => [zenith, horizon, ground].into_iter().all(is_black),
+            _ => false,
+        };
+        strength.is(0.0) || is_black(&self.color) || filters_all
+    }
+}
+
 /// The shape of a light. Flat ones lie in the plane z = 0 and shine towards +z. Lengths are in millimetres.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Emitter {

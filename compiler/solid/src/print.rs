@@ -234,6 +234,6 @@ twist 3° per mm
             live = live.clone() * live;
         }
         let ball = Solid::new(SolidKind::Shape(&rows::SPHERE, vec![live]), span);
-        assert_eq!(print(&ball), "sphere live(1 to inf)\n");
+        assert_eq!(print(&ball), "sphere live(-inf to inf)\n");
     }
 }

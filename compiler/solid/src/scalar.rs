@@ -4,6 +4,10 @@
 //! scene without live numbers never pays for them. The expressions reach the shader as one uniform each: their
 //! values are computed here, on the CPU, whenever a parameter moves ([`Scalar::value`]); and [`Scalar::range`] bounds
 //! them for every value the parameters may take, which is what facts that have to hold for all of them need.
+//!
+//! Not every formula has a finite value for all of them: `asin(a)` has none where `a` is 2. The range of such a number
+//! is [`Interval::ALL`], and so is that of whatever is computed from it; [`Scalar::is_finite`] tells. No field may be
+//! made of such a number: the evaluator makes its parameters constants instead.
 
 mod function;
 mod range;
@@ -56,7 +60,7 @@ pub enum Scalar {
 pub struct Expression {
     /// What is computed.
     pub operation: Operation,
-    /// Bounds for all values of the parameters.
+    /// Bounds for all values of the parameters: finite, or [`Interval::ALL`] if some values are not.
     range: Interval,
     /// How many operations there are, shared ones counted each time.
     size: u32,
@@ -91,7 +95,10 @@ impl Scalar {
             return Scalar::Constant(function.value(&constants));
         }
         let ranges: Vec<Interval> = arguments.iter().map(Scalar::range).collect();
-        let range = function.range(&ranges);
+        let range = match arguments.as_slice() {
+            [a, b] if function == Function::Multiply && a == b => range::square(ranges[0]),
+            _ => function.range(&ranges),
+        };
         Scalar::live(Operation::Apply(function, arguments), range)
     }
 
@@ -132,12 +139,16 @@ impl Scalar {
         self.constant() == Some(value)
     }
 
-    /// Its value while the parameters, in the order of their ids, have these values.
+    /// Its value while the parameters, in the order of their ids, have these values. One that is outside of its
+    /// parameter's range counts as the nearest within, since nothing is known of what is beyond.
     pub fn value(&self, parameters: &[f64]) -> f64 {
         match self {
             Scalar::Constant(value) => *value,
             Scalar::Live(expression) => match &expression.operation {
-                Operation::Parameter(id) => parameters[id.0 as usize],
+                // In this order, no number at all counts as the least.
+                Operation::Parameter(id) => {
+                    parameters[id.0 as usize].max(expression.range.min).min(expression.range.max)
+                }
                 Operation::Apply(function, arguments) => {
                     let values: Vec<f64> = arguments.iter().map(|argument| argument.value(parameters)).collect();
                     function.value(&values)
@@ -146,7 +157,16 @@ impl Scalar {
         }
     }
 
-    /// Bounds of its value, whatever values the parameters take within their ranges.
+    /// Whether its value is a finite number, whatever values the parameters take within their ranges.
+    pub fn is_finite(&self) -> bool {
+        match self {
+            Scalar::Constant(value) => value.is_finite(),
+            Scalar::Live(expression) => expression.range.is_finite(),
+        }
+    }
+
+    /// Bounds of its value, whatever values the parameters take within their ranges; [`Interval::ALL`], if some of
+    /// them may be no finite numbers.
     pub fn range(&self) -> Interval {
         match self {
             Scalar::Constant(value) => Interval::point(*value),
@@ -252,11 +272,11 @@ impl Sub for Scalar {
 
 impl Mul for Scalar {
     type Output = Scalar;
-    /// Live values are finite within their ranges, so that zero times one of them is zero.
+    /// Zero times what is always finite is zero.
     fn mul(self, other: Scalar) -> Scalar {
         match (self, other) {
             (Scalar::Constant(a), Scalar::Constant(b)) => Scalar::Constant(a * b),
-            (a, b) if a.is(0.0) || b.is(0.0) => Scalar::ZERO,
+            (a, b) if (a.is(0.0) && b.is_finite()) || (b.is(0.0) && a.is_finite()) => Scalar::ZERO,
             (a, b) if a.is(1.0) => b,
             (a, b) if b.is(1.0) => a,
             (a, b) => Scalar::apply(Function::Multiply, vec![a, b]),

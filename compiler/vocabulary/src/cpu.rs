@@ -2,7 +2,7 @@
 //!
 //! Each function of the vocabulary is translated once from naga's IR to a [`Program`]: a list of operations on single
 //! numbers, with vectors taken apart and calls inlined. There is no second definition of a shape in Rust, so CPU and
-//! GPU cannot drift apart.
+//! GPU cannot drift apart. The IR is that of the same text in double precision, so that its constants are.
 
 mod dual;
 mod number;
@@ -15,7 +15,7 @@ use std::sync::OnceLock;
 
 use rustc_hash::FxHashMap;
 
-use crate::library::module;
+use crate::library::double_module;
 use crate::table::Row;
 
 /// A function of the vocabulary, ready to be evaluated.
@@ -149,12 +149,12 @@ impl Operation {
 ///
 /// If the vocabulary uses what cannot be translated, which the tests rule out.
 pub fn program(function: &str) -> Option<&'static Program> {
-    static PROGRAMS: OnceLock<FxHashMap<&'static str, Program>> = OnceLock::new();
+    static PROGRAMS: OnceLock<FxHashMap<String, Program>> = OnceLock::new();
     let programs = PROGRAMS.get_or_init(|| {
-        let functions =
-            module().functions.iter().filter_map(|(_, function)| Some((function.name.as_deref()?, function)));
-        let translated = functions.map(|(name, function)| match translate::program(module(), function) {
-            Ok(program) => (name, program),
+        let module = double_module();
+        let functions = module.functions.iter().filter_map(|(_, function)| Some((function.name.as_deref()?, function)));
+        let translated = functions.map(|(name, function)| match translate::program(&module, function) {
+            Ok(program) => (name.to_owned(), program),
             Err(error) => panic!("{name}: {error}"),
         });
         translated.collect()

@@ -30,6 +30,11 @@ impl Interval {
         self.min == self.max
     }
 
+    /// Whether both ends are finite.
+    pub fn is_finite(self) -> bool {
+        self.min.is_finite() && self.max.is_finite()
+    }
+
     /// Whether `value` lies in it.
     pub fn contains(self, value: f64) -> bool {
         self.min <= value && value <= self.max

@@ -32,15 +32,55 @@ pub fn source() -> &'static str {
 /// If the vocabulary's own WGSL is invalid, which the tests rule out.
 pub fn module() -> &'static naga::Module {
     static MODULE: OnceLock<naga::Module> = OnceLock::new();
-    MODULE.get_or_init(|| {
-        let module = naga::front::wgsl::parse_str(SOURCE)
-            .unwrap_or_else(|error| panic!("{}", error.emit_to_string_with_path(SOURCE, "vocabulary.wgsl")));
-        let validated = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
-        if let Err(error) = validated {
-            panic!("{}", error.emit_to_string_with_path(SOURCE, "vocabulary.wgsl"));
+    MODULE.get_or_init(|| parsed(SOURCE))
+}
+
+/// The same in double precision, which naga knows beyond WGSL: so no constant is ever rounded to single precision.
+///
+/// # Panics
+///
+/// As [`module`].
+pub(crate) fn double_module() -> naga::Module {
+    parsed(&in_double(SOURCE))
+}
+
+/// The text with f64 in the place of f32, and with all floating-point literals marked as such.
+fn in_double(source: &str) -> String {
+    let mut double = String::with_capacity(source.len() + source.len() / 8);
+    let mut rest = source;
+    while let Some(start) = rest.find(|c: char| c.is_alphanumeric() || c == '_') {
+        let (between, from) = rest.split_at(start);
+        let (token, behind) = from.split_at(token_len(from));
+        double += between;
+        double += if token == "f32" { "f64" } else { token };
+        if token.starts_with(|c: char| c.is_ascii_digit()) && token.contains(['.', 'e']) {
+            double += "lf";
         }
-        module
-    })
+        rest = behind;
+    }
+    double + rest
+}
+
+/// How long the word or number is that a text begins with. Numbers may have a point and a signed exponent.
+fn token_len(text: &str) -> usize {
+    let is_number = text.starts_with(|c: char| c.is_ascii_digit());
+    let mut last = ' ';
+    let end = text.find(|c: char| {
+        let in_exponent = last == 'e' && (c == '-' || c == '+');
+        last = c;
+        !(c.is_alphanumeric() || c == '_' || (is_number && (c == '.' || in_exponent)))
+    });
+    end.unwrap_or(text.len())
+}
+
+fn parsed(source: &str) -> naga::Module {
+    let module = naga::front::wgsl::parse_str(source)
+        .unwrap_or_else(|error| panic!("{}", error.emit_to_string_with_path(source, "vocabulary.wgsl")));
+    let validated = Validator::new(ValidationFlags::all(), Capabilities::FLOAT64).validate(&module);
+    if let Err(error) = validated {
+        panic!("{}", error.emit_to_string_with_path(source, "vocabulary.wgsl"));
+    }
+    module
 }
 
 #[cfg(test)]
@@ -116,6 +156,13 @@ mod tests {
             TypeInner::Vector { size: VectorSize::Tri, .. } => Some(Type::Vec3),
             _ => None,
         }
+    }
+
+    #[test]
+    fn literals_and_types_become_double() {
+        let text = "fn f(p_2: vec3<f32>) -> f32 { return 2.0 * p_2.x - 1e-30 + 0.5e+3*TAU; } // 3 of f32";
+        let double = "fn f(p_2: vec3<f64>) -> f64 { return 2.0lf * p_2.x - 1e-30lf + 0.5e+3lf*TAU; } // 3 of f64";
+        assert_eq!(in_double(text), double);
     }
 
     #[test]

@@ -267,3 +267,45 @@ fn only_round_shapes_say_so() {
         }
     }
 }
+
+/// The corners of the regular polyhedra that have them at distance 1 from the origin.
+fn corners(name: &str) -> Vec<[f64; 3]> {
+    let golden = 0.5 * (1.0 + 5f64.sqrt());
+    let signs = (0..8).map(|bits| [0, 1, 2].map(|axis: usize| if bits >> axis & 1 == 0 { 1.0 } else { -1.0 }));
+    let cycled = |[x, y, z]: [f64; 3]| [[x, y, z], [y, z, x], [z, x, y]];
+    let base = match name {
+        "tetrahedron" | "cube" => vec![[1.0, 1.0, 1.0]],
+        "octahedron" => cycled([1.0, 0.0, 0.0]).to_vec(),
+        "icosahedron" => cycled([1.0, 0.0, golden]).to_vec(),
+        "dodecahedron" => [cycled([0.0, 1.0 / golden, golden]).to_vec(), vec![[1.0, 1.0, 1.0]]].concat(),
+        _ => unreachable!("{name}"),
+    };
+    let all = signs.flat_map(|signs| base.iter().map(move |corner| [0, 1, 2].map(|axis| signs[axis] * corner[axis])));
+    let kept = all.filter(|corner| name != "tetrahedron" || corner.iter().product::<f64>() > 0.0);
+    let unit = |corner: [f64; 3]| {
+        let length = corner.iter().map(|x| x * x).sum::<f64>().sqrt();
+        corner.map(|x| x / length)
+    };
+    kept.map(unit).collect()
+}
+
+#[test]
+fn distances_to_regular_polyhedra_are_exact_to_the_last_digits() {
+    let mut asked = 0;
+    for name in ["tetrahedron", "octahedron", "icosahedron", "dodecahedron"] {
+        let row = shapes().find(|row| row.name == name).expect("the row");
+        let distance = |point: [f64; 3], radius: f64| ask(row, &point, &[radius]);
+        for corner in corners(name) {
+            for radius in [1.0, 10.0, 12345.6] {
+                // At the corner, and beyond it as far again.
+                for (times, expected) in [(1.0, 0.0), (2.0, radius)] {
+                    let found = distance(corner.map(|x| x * times * radius), radius);
+                    let off = (found - expected).abs() / radius;
+                    assert!(off < 2e-15, "{name} of {radius}: {found} at {times} times {corner:?}: {off:e}");
+                    asked += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(asked, (8 / 2 + 8 * 3 + 8 * 3 + 8 * 4) * 6);
+}

@@ -1,7 +1,9 @@
-// Constants the vocabulary shares.
+// Constants the vocabulary shares. All constants have the digits of double precision: the CPU reads them so.
 
-const PI: f32 = 3.14159265358979;
-const TAU: f32 = 6.28318530717959;
+const PI: f32 = 3.1415926535897932;
+const TAU: f32 = 6.2831853071795865;
+const ROOT_TWO: f32 = 1.4142135623730950;
+const ROOT_THREE: f32 = 1.7320508075688773;
 
 // Added nowhere, only compared with: keeps a division away from zero without being seen in a result.
 const TINY: f32 = 1e-30;

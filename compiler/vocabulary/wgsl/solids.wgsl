@@ -179,7 +179,7 @@ fn sd_gyroid(p: vec3<f32>, period: f32, thickness: f32) -> f32 {
     let wave_number = TAU / period;
     let q = p * wave_number;
     let wave = dot(sin(q), cos(q.yzx));
-    return abs(wave) / (wave_number * sqrt(3.0)) - 0.5 * thickness;
+    return abs(wave) / (wave_number * ROOT_THREE) - 0.5 * thickness;
 }
 
 // What lies above the plane z = cut of the ball of radius r around the origin. In the half plane of radius
@@ -214,15 +214,15 @@ fn sd_tetrahedron(p: vec3<f32>, r: f32) -> f32 {
     let low = least + flip;
     let high = middle + flip;
     let q = vec3(min(low, greatest), max(low, min(high, greatest)), max(high, greatest));
-    let height = (q.y + q.z - q.x) / sqrt(3.0) - r / 3.0;
-    let across = (q.x - q.y + 2.0 * q.z) / sqrt(6.0) - r * sqrt(2.0) / 3.0;
-    let along = (q.x + q.y) / sqrt(2.0) - r * sqrt(2.0 / 3.0);
+    let height = (q.y + q.z - q.x) / ROOT_THREE - r / 3.0;
+    let across = (q.x - q.y + 2.0 * q.z) / (ROOT_TWO * ROOT_THREE) - r * (ROOT_TWO / 3.0);
+    let along = (q.x + q.y) / ROOT_TWO - r * (ROOT_TWO / ROOT_THREE);
     return face_distance(height, across, along);
 }
 
 // The golden ratio g, and the mirror of the icosahedron that is not along an axis: (-1, -g, g - 1) / 2.
-const GOLDEN: f32 = 1.61803398874989;
-const OBLIQUE: vec3<f32> = vec3<f32>(-0.5, -0.809016994374947, 0.309016994374947);
+const GOLDEN: f32 = 1.6180339887498948;
+const OBLIQUE: vec3<f32> = vec3<f32>(-0.5, -0.8090169943749474, 0.3090169943749474);
 
 // Space folded by the mirrors of the icosahedron into x >= 0, y >= 0 and dot(p, OBLIQUE) >= 0. The wedge's
 // edges run from the origin through the middle of a dodecahedron's edge (0, 0, 1), face (1, 0, g) and corner
@@ -243,7 +243,7 @@ fn icosahedral_mirror(p: vec3<f32>) -> vec3<f32> {
 // The dodecahedron with edges across the axes.
 fn sd_dodecahedron(p: vec3<f32>, r: f32) -> f32 {
     let q = icosahedral_fold(p);
-    let edge = r * GOLDEN / sqrt(3.0);
+    let edge = r * (GOLDEN / ROOT_THREE);
     let normal = normalize(vec2(1.0, GOLDEN));
     let height = dot(q.xz, normal) - edge * normal.y;
     let across = dot(q.xz, vec2(-normal.y, normal.x)) - edge * normal.x;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use chiaro_field::{Crowds, Graph};
-use chiaro_shader::{GLOSS_TABLE, Template, bindings, splice_with_crowds};
+use chiaro_shader::{GLOSS_TABLE, Template, bindings, single, splice_with_crowds};
 use chiaro_solid::{Scalar, scalar::ParameterId};
 use chiaro_syntax::Diagnostic;
 use chiaro_vocabulary::Bounds;
@@ -221,7 +221,7 @@ impl Program {
             return Ok(());
         };
         check_parameters(&self.live, parameters)?;
-        let mut values: Vec<f32> = self.live.iter().map(|scalar| scalar.value(parameters) as f32).collect();
+        let mut values: Vec<f32> = self.live.iter().map(|scalar| single(scalar.value(parameters))).collect();
         values.resize(values.len().next_multiple_of(4), 0.0);
         gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&values));
         Ok(())

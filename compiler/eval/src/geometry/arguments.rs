@@ -56,6 +56,20 @@ pub(super) fn bind(
     bound
 }
 
+/// Asks for what some arguments are made of to be known, if live numbers among them may have no finite value: nothing
+/// that is drawn may depend on one.
+pub(super) fn check_live(arguments: &[Bound]) -> Result<(), Stop> {
+    arguments.iter().try_for_each(|bound| check_value(&bound.value, bound.span))
+}
+
+fn check_value(value: &Value, span: Span) -> Result<(), Stop> {
+    match value {
+        Value::Number(number) => decide::finite(number, span),
+        Value::List(items) => items.iter().try_for_each(|item| check_value(item, span)),
+        _ => Ok(()),
+    }
+}
+
 fn parameter_named(
     module: &str,
     name: &str,
@@ -96,6 +110,16 @@ impl Instance<'_> {
             (Value::Number(number), _) => Some(number),
             (value, span) => self.unfit(parameter, &value, span, "a number"),
         }
+    }
+
+    /// A number of an operation that OpenSCAD does not have, or leaves undefined for what is infinite or no number; that is
+    /// an error.
+    pub(super) fn finite_number(&mut self, parameter: &str) -> Result<Option<Scalar>, Stop> {
+        let Some(number) = self.number(parameter) else { return Ok(None) };
+        if number.is_finite() || number.constant().is_none() {
+            return Ok(Some(number));
+        }
+        Err(not_finite(parameter, &number, self.place(parameter)))
     }
 
     /// A truth value as a number: 1 or 0.
@@ -175,6 +199,19 @@ impl Instance<'_> {
         self.warn(span, message);
         None
     }
+}
+
+/// The error that a length is no finite number.
+pub(super) fn not_finite(parameter: &str, number: &Scalar, span: Span) -> Stop {
+    let is_infinite = number.constant().is_some_and(f64::is_infinite);
+    let (is, why) = match is_infinite {
+        true => ("is infinite", "a quotient is infinite where its divisor is 0"),
+        false => ("is not a number", "so are 0 / 0, and functions of what they are not defined for, such as sqrt(-1)"),
+    };
+    let diagnostic = Diagnostic::error(span, format!("`{parameter}` has to be finite"))
+        .with_label(format!("this {is}"))
+        .with_hint(why);
+    Stop::Error(Box::new(diagnostic))
 }
 
 /// The numbers of a list of numbers.

@@ -6,7 +6,7 @@ use chiaro_solid::{Affine, Emitter, PlacedLight, Scalar};
 use chiaro_syntax::{Diagnostic, Span};
 
 use super::instance::Instance;
-use super::transforms::{is_finite, is_regular};
+use super::transforms::{is_regular, live_entries};
 use super::{Stop, decide};
 
 /// A placement with a number of more operations than this is not worth being live.
@@ -63,8 +63,7 @@ impl Instance<'_> {
         if self.aside.is_empty() {
             return Ok(());
         }
-        let entries = map.rows().iter().flatten();
-        if !entries.clone().all(is_finite) {
+        if !decide::are_finite(map.rows().iter().flatten(), self.head)? {
             self.warn(self.head, format!("`{}` is not finite here, so that there is nothing", self.name));
             *self.aside = Aside::default();
             return Ok(());
@@ -79,12 +78,12 @@ impl Instance<'_> {
         }
         for light in &mut self.aside.lights {
             light.placement = map.after(&light.placement);
-            are_short(light.placement.rows().iter().flatten(), light.span)?;
+            check_place(light.placement.rows().iter().flatten(), light.span)?;
         }
         for camera in &mut self.aside.cameras {
             camera.eye = map.point(&camera.eye);
             camera.target = map.point(&camera.target);
-            are_short(camera.eye.iter().chain(&camera.target), camera.span)?;
+            check_place(camera.eye.iter().chain(&camera.target), camera.span)?;
         }
         Ok(())
     }
@@ -100,8 +99,7 @@ fn keeps_shape(map: &Affine, light: &PlacedLight, span: Span) -> Result<(), Stop
     if matches!(map.similarity(), Similarity::Uniform(_)) {
         return Ok(());
     }
-    let live = map.rows().iter().flatten().filter(|entry| entry.constant().is_none()).cloned();
-    if let Some(number) = live.reduce(|sum, entry| sum + entry) {
+    if let Some(number) = live_entries(map) {
         return Err(decide::demote(number, span, "whether a matrix keeps the shape of a light"));
     }
     let hint = "move it, turn it, mirror it, or scale it by one factor; only `rect_light` and `polygon_light` can be \
@@ -112,10 +110,14 @@ fn keeps_shape(map: &Affine, light: &PlacedLight, span: Span) -> Result<(), Stop
     Err(Stop::Error(Box::new(error)))
 }
 
-/// Checks that numbers are not too long to be computed anew for every picture.
-fn are_short<'a>(mut numbers: impl Iterator<Item = &'a Scalar>, span: Span) -> Result<(), Stop> {
-    match numbers.find(|number| number.size() > LONGEST_FORMULA) {
-        Some(long) => Err(decide::demote(long.clone(), span, "a place too long to be computed anew for every picture")),
-        None => Ok(()),
+/// Checks that numbers are finite and not too long to be computed anew for every picture.
+fn check_place<'a>(numbers: impl Iterator<Item = &'a Scalar>, span: Span) -> Result<(), Stop> {
+    for number in numbers {
+        decide::finite(number, span)?;
+        if number.size() > LONGEST_FORMULA {
+            let reason = "a place too long to be computed anew for every picture";
+            return Err(decide::demote(number.clone(), span, reason));
+        }
     }
+    Ok(())
 }

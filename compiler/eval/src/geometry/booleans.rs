@@ -109,7 +109,7 @@ fn of_one_dimension(children: Vec<Arc<Solid>>, diagnostics: &mut Vec<Diagnostic>
 /// How the operands meet; sharply without a radius.
 fn read_joint(instance: &mut Instance) -> Result<Option<Joint>, Stop> {
     let profile = read_profile(instance)?;
-    let Some(radius) = instance.number("r") else {
+    let Some(radius) = instance.finite_number("r")? else {
         if profile.is_some() {
             let message = "a joint has no effect without its radius `r`";
             instance.warn(instance.place("joint"), message);

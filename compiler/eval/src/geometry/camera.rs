@@ -6,7 +6,6 @@ use chiaro_syntax::Diagnostic;
 use super::aside::PlacedCamera;
 use super::instance::{Instance, Module, error};
 use super::make::empty;
-use super::transforms::is_finite;
 use super::{Built, Stop};
 
 pub(super) const MODULES: &[Module] =
@@ -31,7 +30,7 @@ fn camera(instance: &mut Instance) -> Built {
 
 fn point(instance: &mut Instance, parameter: &str) -> Result<Option<[Scalar; 3]>, Stop> {
     let Some(point) = instance.vector::<3>(parameter, 3, 0.0) else { return Ok(None) };
-    if !point.iter().all(is_finite) {
+    if !point.iter().all(Scalar::is_finite) {
         return Err(error(instance.place(parameter), format!("`{parameter}` has to be finite")));
     }
     Ok(Some(point))
@@ -41,7 +40,7 @@ fn point(instance: &mut Instance, parameter: &str) -> Result<Option<[Scalar; 3]>
 fn field_of_view(instance: &mut Instance) -> Result<Option<Scalar>, Stop> {
     let Some(angle) = instance.number("fov") else { return Ok(None) };
     let range = angle.range();
-    if range.max > 0.0 && range.min < 180.0 {
+    if angle.is_finite() && range.max > 0.0 && range.min < 180.0 {
         return Ok(Some(angle));
     }
     Err(error(instance.place("fov"), "`fov` is an angle between 0 and 180 degrees"))

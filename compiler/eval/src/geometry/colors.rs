@@ -139,8 +139,7 @@ fn share(instance: &mut Instance, parameter: &str) -> Result<Option<Scalar>, Sto
 fn brightness(instance: &mut Instance) -> Result<Option<Scalar>, Stop> {
     let Some(number) = instance.number("emission") else { return Ok(None) };
     let span = instance.place("emission");
-    let finite = number.constant().is_none_or(f64::is_finite);
-    if !finite || decide::is_negative(&number, span, "whether an emission is negative")? {
+    if !number.is_finite() || decide::is_negative(&number, span, "whether an emission is negative")? {
         return Err(error(span, "`emission` is a multiple of the colour and cannot be negative"));
     }
     Ok(Some(number))

@@ -46,6 +46,20 @@ pub(super) fn is_negative(number: &Scalar, span: Span, reason: &'static str) -> 
     }
 }
 
+/// Asks for a live number to be known that may have no finite value.
+pub(super) fn finite(number: &Scalar, span: Span) -> Result<(), Stop> {
+    match number {
+        Scalar::Live(_) if !number.is_finite() => Err(demote(number.clone(), span, "a finite number")),
+        _ => Ok(()),
+    }
+}
+
+/// Whether numbers are finite. Asks for live ones to be known that may not be.
+pub(super) fn are_finite<'a>(mut numbers: impl Iterator<Item = &'a Scalar> + Clone, span: Span) -> Result<bool, Stop> {
+    numbers.clone().try_for_each(|number| finite(number, span))?;
+    Ok(numbers.all(Scalar::is_finite))
+}
+
 /// The constant value of a number.
 pub(super) fn constant(number: &Scalar, span: Span, reason: &'static str) -> Result<f64, Stop> {
     number.constant().ok_or_else(|| demote(number.clone(), span, reason))
@@ -61,7 +75,7 @@ impl Instance<'_> {
     /// size is zero.
     pub(super) fn are_sizes(&mut self, sizes: &[Scalar], span: Span) -> Result<bool, Stop> {
         for size in sizes {
-            if size.constant().is_some_and(|value| !value.is_finite()) {
+            if !size.is_finite() && size.constant().is_some() {
                 self.warn(span, "this size is not finite, so that there is nothing");
                 return Ok(false);
             }
@@ -79,7 +93,7 @@ impl Instance<'_> {
 
     /// The radius that edges are rounded with, if they are. More than `most` does not fit.
     pub(super) fn rounding(&mut self, parameter: &str, most: &Scalar) -> Result<Option<Scalar>, Stop> {
-        let Some(radius) = self.number(parameter) else { return Ok(None) };
+        let Some(radius) = self.finite_number(parameter)? else { return Ok(None) };
         let span = self.place(parameter);
         match sign(&radius, span, "whether edges are rounded")? {
             Sign::Zero => return Ok(None),

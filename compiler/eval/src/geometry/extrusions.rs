@@ -34,7 +34,7 @@ fn linear_extrude(instance: &mut Instance) -> Built {
     if is_empty(&child) || !instance.are_sizes(std::slice::from_ref(&height), instance.head)? {
         return Ok(empty(instance.head));
     }
-    let twist = instance.number("twist").filter(is_finite).unwrap_or(Scalar::ZERO);
+    let twist = instance.number("twist").filter(Scalar::is_finite).unwrap_or(Scalar::ZERO);
     let scale = read_scale(instance)?;
     let straight = twist.is(0.0) && scale.iter().all(|factor| factor.is(1.0));
     let solid = match instance.number("r") {
@@ -81,7 +81,7 @@ fn read_height(instance: &mut Instance) -> Option<Scalar> {
     let parameter = if instance.value("height").is_some() { "height" } else { "h" };
     instance.value(parameter)?;
     let Some(height) = instance.number(parameter) else { return default() };
-    if !is_finite(&height) {
+    if !height.is_finite() {
         instance.warn(instance.place(parameter), "this height is not finite; the default of 100 is used");
         return default();
     }
@@ -93,7 +93,7 @@ fn read_scale(instance: &mut Instance) -> Result<[Scalar; 2], Stop> {
     let scale = instance.number_or_vector::<2>("scale", 2, 1.0).unwrap_or([Scalar::ONE, Scalar::ONE]);
     let span = instance.place("scale");
     for factor in &scale {
-        if !is_finite(factor) {
+        if !factor.is_finite() {
             instance.warn(span, "this scale is not finite and does not count");
             return Ok([Scalar::ONE, Scalar::ONE]);
         }
@@ -176,9 +176,9 @@ struct Turn {
 fn read_turn(instance: &mut Instance) -> Result<Option<Turn>, Stop> {
     let angle = instance.number("angle").or_else(|| instance.number("a"));
     let given = angle.is_some();
-    let start = instance.number("start").filter(is_finite);
+    let start = instance.number("start").filter(Scalar::is_finite);
     let start = start.unwrap_or(Scalar::from(if given { 0.0 } else { 180.0 }));
-    let Some(angle) = angle.filter(is_finite) else { return Ok(Some(Turn { start, sweep: None })) };
+    let Some(angle) = angle.filter(Scalar::is_finite) else { return Ok(Some(Turn { start, sweep: None })) };
     let span = instance.head;
     let reason = "how far a profile is turned";
     let negative = match decide::sign(&angle, span, reason)? {
@@ -210,7 +210,7 @@ fn faceted_sector(instance: &mut Instance, start: Scalar, sweep: Scalar, sides: 
 
 /// A profile with its edges rounded, as far as they are convex; where it touches the axis there is no edge.
 fn rounded_profile(instance: &mut Instance, child: Arc<Solid>) -> Built {
-    let Some(radius) = instance.number("r") else { return Ok(child) };
+    let Some(radius) = instance.finite_number("r")? else { return Ok(child) };
     let span = instance.place("r");
     match decide::sign(&radius, span, "whether edges are rounded")? {
         Sign::Zero => return Ok(child),
@@ -286,20 +286,13 @@ fn shadow(solid: &Arc<Solid>, span: Span) -> Built {
 /// Turns a solid about z by `rate` degrees for each millimetre of height, anticlockwise seen from above.
 fn twist(instance: &mut Instance) -> Built {
     let child = instance.union_in(Dimension::Space);
-    let Some(rate) = instance.number("rate") else {
+    let Some(rate) = instance.finite_number("rate")? else {
         let message = "`twist` needs its `rate` in degrees per millimetre of height; without, it does nothing";
         instance.warn(instance.head, message);
         return Ok(child);
     };
-    if !is_finite(&rate) {
-        return Err(error(instance.place("rate"), "this rate is not finite"));
-    }
     if is_empty(&child) || rate.is(0.0) {
         return Ok(child);
     }
     Ok(Solid::new(SolidKind::Twist(radians(rate), child), instance.head))
-}
-
-fn is_finite(number: &Scalar) -> bool {
-    number.constant().is_none_or(f64::is_finite)
 }

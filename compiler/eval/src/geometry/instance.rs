@@ -47,16 +47,17 @@ pub(super) struct Instance<'a> {
 }
 
 impl<'a> Instance<'a> {
-    /// Binds the call's arguments to these parameters.
+    /// Binds the call's arguments to these parameters. All live numbers among them are finite.
     pub(super) fn bind(
         call: Call<'a>,
         positional: &[&'static str],
         named: &[&'static str],
         facets: Facets,
         diagnostics: &'a mut Vec<Diagnostic>,
-    ) -> Self {
+    ) -> Result<Self, Stop> {
         let arguments = arguments::bind(call.name, call.arguments, positional, named, diagnostics);
-        Self {
+        arguments::check_live(&arguments)?;
+        Ok(Self {
             name: call.name,
             head: call.head,
             number_of_sides: call.sides,
@@ -67,7 +68,7 @@ impl<'a> Instance<'a> {
             aside: call.aside,
             arguments,
             diagnostics,
-        }
+        })
     }
 
     /// Reports that the solid may not be what was meant.

@@ -11,7 +11,6 @@ use chiaro_syntax::{Diagnostic, Span};
 use super::colors;
 use super::instance::{Instance, Module, error};
 use super::make::{empty, radians};
-use super::transforms::is_finite;
 use super::{Built, Stop, decide};
 use crate::suggest;
 
@@ -43,6 +42,10 @@ pub(super) const MODULES: &[Module] = &[
 
 /// No light is larger, in millimetres: pictures know lengths in single precision, and multiply up to four.
 const LARGEST: f64 = 1e9;
+/// No light is brighter, nor is one dimmer that is not dark, in lumens, lux or candela per square metre: pictures have
+/// these numbers in single precision, divided and multiplied by areas. The sun has 2e9 candela per square metre.
+const BRIGHTEST: f64 = 1e20;
+const DIMMEST: f64 = 1e-20;
 /// The luminous flux of a light that doesn't say, in lumens.
 const POWER: f64 = 1000.0;
 /// The illuminance of a sun that doesn't say, in lux.
@@ -97,7 +100,7 @@ fn sun(instance: &mut Instance) -> Built {
     let span = instance.place("angle");
     let reason = "whether a sun's angle is within its bounds";
     let is_narrow = !decide::is_negative(&(Scalar::from(WIDEST_SUN) - angle.clone()), span, reason)?;
-    if !is_finite(&angle) || !is_narrow || decide::is_negative(&angle, span, reason)? {
+    if !angle.is_finite() || !is_narrow || decide::is_negative(&angle, span, reason)? {
         return Err(error(span, format!("a sun is seen under an angle from 0 to {WIDEST_SUN} degrees")));
     }
     // A sun stands where +z is, so that it shines towards −z.
@@ -135,6 +138,9 @@ fn lamp(instance: &mut Instance, emitter: Emitter, placement: Affine) -> Built {
 /// Puts a light aside.
 fn shine(instance: &mut Instance, emitter: Emitter, strength: Strength, placement: Affine) -> Built {
     instance.without_children();
+    if !decide::are_finite(placement.rows().iter().flatten(), instance.head)? {
+        return Err(error(instance.place("aim"), "`aim` is too long or too short to be a direction"));
+    }
     let light = Light {
         emitter,
         strength,
@@ -164,8 +170,17 @@ fn brightness(instance: &mut Instance, parameter: &str, default: f64) -> Result<
 }
 
 fn check_brightness(number: &Scalar, parameter: &str, span: Span) -> Result<(), Stop> {
-    if !is_finite(number) || decide::is_negative(number, span, "whether a light's brightness is negative")? {
+    if !number.is_finite() || decide::is_negative(number, span, "whether a light's brightness is negative")? {
         return Err(error(span, format!("`{parameter}` has to be finite and cannot be negative")));
+    }
+    let room = Scalar::from(BRIGHTEST) - number.clone();
+    let is_too_bright = decide::is_negative(&room, span, "whether a light is too bright")?;
+    let is_too_dim = number.constant().is_some_and(|number| number != 0.0 && number < DIMMEST);
+    if is_too_bright || is_too_dim {
+        let message = format!("`{parameter}` has to be 0, or from {DIMMEST:e} to {BRIGHTEST:e}");
+        let beyond = Diagnostic::error(span, message)
+            .with_hint("pictures are exposed for their lights, so that numbers in between look the same");
+        return Err(Stop::Error(Box::new(beyond)));
     }
     Ok(())
 }
@@ -199,7 +214,7 @@ enum Least {
 }
 
 fn check_size(size: &Scalar, least: Least, span: Span) -> Result<(), Stop> {
-    if !is_finite(size) {
+    if !size.is_finite() {
         return Err(error(span, "the size of a light has to be finite"));
     }
     if decide::is_negative(size, span, "whether a light's size is negative")? {

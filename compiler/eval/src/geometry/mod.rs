@@ -138,8 +138,8 @@ const TABLES: [&[Module]; 14] = [
 /// The solid of a built-in module's instance; none, if there is no such module.
 pub(crate) fn build(call: Call, settings: &Settings, diagnostics: &mut Vec<Diagnostic>) -> Option<Built> {
     if let Some(module) = TABLES.iter().copied().flatten().find(|module| module.name == call.name) {
-        let mut instance = Instance::bind(call, module.positional, module.named, settings.facets, diagnostics);
-        return Some((module.build)(&mut instance));
+        let instance = Instance::bind(call, module.positional, module.named, settings.facets, diagnostics);
+        return Some(instance.and_then(|mut instance| (module.build)(&mut instance)));
     }
     natives::build(call, settings.facets, diagnostics)
 }

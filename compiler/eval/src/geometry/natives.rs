@@ -30,8 +30,8 @@ pub(super) fn parameters(name: &str) -> Option<Vec<&'static str>> {
 pub(super) fn build(call: Call, facets: Facets, diagnostics: &mut Vec<Diagnostic>) -> Option<Built> {
     let row = modules().find(|row| row.name == call.name)?;
     let parameters = parameters(row.name)?;
-    let mut instance = Instance::bind(call, &parameters, &[], facets, diagnostics);
-    Some(instantiate(row, &mut instance))
+    let instance = Instance::bind(call, &parameters, &[], facets, diagnostics);
+    Some(instance.and_then(|mut instance| instantiate(row, &mut instance)))
 }
 
 fn modules() -> impl Iterator<Item = &'static Row> {
@@ -76,8 +76,11 @@ fn read(instance: &mut Instance, parameter: &Parameter) -> Result<Vec<Scalar>, S
             return Err(Stop::Error(Box::new(diagnostic)));
         }
     };
-    let finite = numbers.iter().all(|number| number.constant().is_none_or(f64::is_finite));
-    if finite { Ok(numbers) } else { Err(error(instance.place(name), format!("`{name}` has to be finite"))) }
+    if numbers.iter().all(Scalar::is_finite) {
+        Ok(numbers)
+    } else {
+        Err(error(instance.place(name), format!("`{name}` has to be finite")))
+    }
 }
 
 /// A vector made as long as 1.

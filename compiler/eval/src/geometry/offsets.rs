@@ -23,7 +23,7 @@ pub(super) const MODULES: &[Module] = &[
 /// Round corners with `r`, sharp or chamfered ones with `delta`; `r = 1` without either.
 fn offset(instance: &mut Instance) -> Built {
     let child = instance.union_in(Dimension::Plane);
-    let (radius, delta) = (instance.number("r"), instance.number("delta"));
+    let (radius, delta) = (instance.finite_number("r")?, instance.finite_number("delta")?);
     let Some(by) = radius.is_none().then_some(delta).flatten() else {
         return grown(radius.unwrap_or(Scalar::ONE), child, instance.head);
     };
@@ -40,7 +40,7 @@ fn fill(instance: &mut Instance) -> Built {
 /// Grows what it is applied to: convex edges become round with that radius, and every face moves out by it.
 fn round(instance: &mut Instance) -> Built {
     let child = instance.union();
-    let Some(radius) = instance.number("r") else {
+    let Some(radius) = instance.finite_number("r")? else {
         instance.warn(instance.head, "`round` needs its radius `r`; without, it does nothing");
         return Ok(child);
     };
@@ -50,7 +50,7 @@ fn round(instance: &mut Instance) -> Built {
 /// The wall that lies half to each side of the surface.
 fn shell(instance: &mut Instance) -> Built {
     let child = instance.union();
-    let thickness = instance.number("thickness").unwrap_or(Scalar::ONE);
+    let thickness = instance.finite_number("thickness")?.unwrap_or(Scalar::ONE);
     let span = instance.place("thickness");
     if is_empty(&child) || !instance.are_sizes(std::slice::from_ref(&thickness), span)? {
         return Ok(empty(instance.head));

@@ -58,7 +58,7 @@ fn polygon(instance: &mut Instance) -> Built {
     let points = read_points(instance)?;
     let paths = read_paths(instance, points.len())?;
     let outline = Region::polygon(&points, paths.as_deref());
-    let rounding = match instance.number("r") {
+    let rounding = match instance.finite_number("r")? {
         Some(radius) => decide::constant(&radius, instance.place("r"), "the radius of a polygon's corners")?,
         None => 0.0,
     };

@@ -6,6 +6,7 @@ use chiaro_plane::{Point, Region};
 use chiaro_solid::{Affine, Scalar, Solid, SolidKind};
 use chiaro_vocabulary::rows;
 
+use super::arguments::not_finite;
 use super::decide::{self, Sign};
 use super::facets::apothem_factor;
 use super::instance::{Instance, Module, error};
@@ -99,7 +100,11 @@ fn read_frustum(instance: &mut Instance) -> Result<Option<Frustum>, Stop> {
     if !instance.are_sizes(std::slice::from_ref(&height), instance.place("h"))? {
         return Ok(None);
     }
-    for radius in [&bottom, &top] {
+    for (radius, names) in [(&bottom, ["d1", "r1", "d", "r"]), (&top, ["d2", "r2", "d", "r"])] {
+        if !radius.is_finite() {
+            let given = names.into_iter().find(|name| instance.value(name).is_some()).unwrap_or("r");
+            return Err(not_finite(given, radius, instance.place(given)));
+        }
         if decide::is_negative(radius, head, "whether a radius is negative")? {
             instance.warn(head, "a radius is negative, so that there is nothing");
             return Ok(None);

@@ -39,7 +39,7 @@ fn read_rotation(instance: &mut Instance) -> Result<Affine, Stop> {
     match instance.value("a") {
         None => Ok(Affine::identity()),
         Some((Value::Number(angle), span)) => {
-            if !is_finite(&angle) {
+            if !angle.is_finite() {
                 instance.warn(span, "this angle is not finite, so that nothing is turned");
                 return Ok(Affine::identity());
             }
@@ -144,7 +144,7 @@ pub(super) fn apply(instance: &mut Instance, map: Affine, child: Arc<Solid>) -> 
         return Ok(child);
     }
     let map = if child.dimension() == Some(Dimension::Plane) { planar(&map) } else { map };
-    if !map.rows().iter().flatten().all(is_finite) {
+    if !decide::are_finite(map.rows().iter().flatten(), instance.head)? {
         instance.warn(instance.head, format!("`{}` is not finite here, so that there is nothing", instance.name));
         return Ok(empty(instance.head));
     }
@@ -184,15 +184,19 @@ pub(super) fn is_regular(map: &Affine, span: Span) -> Result<bool, Stop> {
     }
     let determinant = map.determinant();
     let length = |j: usize| (0..3).map(|i| map.rows()[i][j].range().magnitude().powi(2)).sum::<f64>().sqrt();
-    if let Some(value) = determinant.constant() {
-        return Ok(value.abs() > SINGULAR * length(0) * length(1) * length(2));
+    if determinant.range().abs().min > SINGULAR * length(0) * length(1) * length(2) {
+        return Ok(true);
     }
-    Ok(decide::sign(&determinant, span, reason)? != Sign::Zero)
+    match live_entries(map) {
+        Some(entries) if !determinant.is(0.0) => Err(decide::demote(entries, span, reason)),
+        _ => Ok(false),
+    }
 }
 
-/// Whether a number is finite. A live one is, within its range.
-pub(super) fn is_finite(number: &Scalar) -> bool {
-    number.constant().is_none_or(f64::is_finite)
+/// A number with all live parameters in it that a map depends on; none, if it is constant.
+pub(super) fn live_entries(map: &Affine) -> Option<Scalar> {
+    let live = map.rows().iter().flatten().filter(|entry| entry.constant().is_none());
+    live.cloned().reduce(|sum, entry| sum + entry)
 }
 
 /// Whether a vector has a direction.
@@ -201,7 +205,7 @@ pub(super) fn is_nonzero(vector: &[Scalar; 3], span: Span, reason: &'static str)
     for component in vector {
         match decide::sign(component, span, reason) {
             Ok(Sign::Zero) => {}
-            Ok(_) => return Ok(is_finite(component)),
+            Ok(_) => return Ok(component.is_finite()),
             Err(stop) => undecided = Some(stop),
         }
     }

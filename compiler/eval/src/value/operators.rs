@@ -30,7 +30,9 @@ pub(crate) fn unary(operator: UnaryOperator, operand: &Value) -> Result<Value, T
         (UnaryOperator::Negate, Value::Number(number)) => Ok(Value::Number(checked(-number.clone())?)),
         (UnaryOperator::Negate, Value::List(list)) => elementwise(list, |value| unary(operator, value)),
         (UnaryOperator::Not, _) => match operand.truth() {
-            Value::Condition(number) => Ok(condition(checked(Scalar::ONE - number)?)),
+            Value::Condition(number) => {
+                Ok(condition(apply(Function::Select, vec![number, Scalar::ZERO, Scalar::ONE])?))
+            }
             truth => Ok(Value::Bool(!truth.is_true())),
         },
         (UnaryOperator::BitNot, Value::Number(_)) => Ok(Value::number(!integer(operand)? as f64)),

@@ -1,13 +1,13 @@
 //! Where one is in the tree.
 
 use chiaro_solid::affine::Similarity;
-use chiaro_solid::{Affine, Scalar};
+use chiaro_solid::{Affine, Scalar, singular};
 use chiaro_syntax::{Diagnostic, FileId, Span};
 use chiaro_vocabulary::Class;
 
 use super::Lowering;
 use crate::graph::PointId;
-use crate::matrix::{self, condition, constant_rows, linear, magnitude, orthogonal_columns, ratio};
+use crate::matrix::{self, constant_rows, linear, magnitude, orthogonal_columns};
 
 /// What a solid needs to know of what stands above it.
 ///
@@ -146,7 +146,8 @@ impl Lowering {
     fn warn_of_stretch(&mut self, since: &Affine, span: Span) {
         const MUCH: f64 = 8.0;
         let Some(rows) = constant_rows(since) else { return };
-        let condition = condition(&linear(&rows));
+        let [most, _, least] = singular::values(&linear(&rows));
+        let condition = most / least;
         if condition > MUCH {
             let message = format!("this stretches one direction {condition:.1} times more than another");
             let label = "distances count by the shortest, so rays take many more steps here";
@@ -186,16 +187,7 @@ fn unscaled(map: &Affine, size: &Scalar, factors: &[Scalar; 3]) -> Affine {
     if one(size) && factors.iter().all(one) {
         return map.clone();
     }
-    let row = |i: usize| {
-        let row = &map.rows()[i];
-        let turn = |j: usize| ratio(&row[j], &factors[j]);
-        [turn(0), turn(1), turn(2), row[3].clone() * size.clone()]
-    };
-    let rows = [row(0), row(1), row(2)];
-    match map.similarity() {
-        Similarity::Uniform(_) => Affine::similar(rows, Scalar::ONE),
-        Similarity::AtLeast(_) => Affine::new(rows),
-    }
+    map.divided(factors, size)
 }
 
 /// A map of the plane, with a scale of z that hides nothing: the plane's factor, or its least.
@@ -223,10 +215,11 @@ fn least_singular_value([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
     if b == 0.0 && c == 0.0 {
         return a.abs().min(d.abs());
     }
-    // The singular values are the sum and the difference of these lengths (split into a turn and a mirrored turn).
+    // The greatest is the sum of these lengths (split into a turn and a mirrored turn). Their difference, which is the
+    // least, would cancel; but the product of both is the determinant.
     let turn = 0.5 * (a + d).hypot(c - b);
     let mirrored = 0.5 * (a - d).hypot(c + b);
-    (turn - mirrored).abs()
+    (a * d - b * c).abs() / (turn + mirrored)
 }
 
 impl Lowering {

@@ -2,5 +2,6 @@
 
 mod crowds;
 mod graphs;
+mod numbers;
 mod soundness;
 mod trees;

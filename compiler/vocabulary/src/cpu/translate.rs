@@ -3,8 +3,6 @@
 //! The functions of the vocabulary are straight-line code without variables, so an expression can be translated where
 //! it is first needed, and calls in their order. Anything else is refused.
 
-use std::f64::consts::PI;
-
 use naga::{
     BinaryOperator, Block, Expression, Function, Handle, Literal, MathFunction, Module, Statement, SwizzleComponent,
     TypeInner, UnaryOperator, VectorSize,
@@ -265,15 +263,9 @@ fn len_of(ty: &TypeInner) -> Result<usize, Refused> {
     }
 }
 
-/// A literal in full precision. Naga has rounded it to f32: meant was the shortest decimal number that rounds so, or
-/// a multiple of π.
 fn number(literal: Literal) -> Result<f64, Refused> {
     match literal {
-        Literal::F32(value) => {
-            let pi = [0.5 * PI, PI, 2.0 * PI].into_iter().find(|pi| *pi as f32 == value);
-            let decimal = || value.to_string().parse().map_err(|error| format!("the literal {value}: {error}"));
-            pi.map_or_else(decimal, Ok)
-        }
+        Literal::F64(value) => Ok(value),
         Literal::Bool(value) => Ok(f64::from(u8::from(value))),
         other => Err(format!("the literal {other:?}")),
     }

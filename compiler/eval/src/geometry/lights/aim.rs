@@ -5,7 +5,7 @@ use chiaro_solid::{Affine, Scalar};
 use super::super::Stop;
 use super::super::decide::{self, Sign};
 use super::super::instance::{Instance, error};
-use super::super::transforms::{is_finite, is_nonzero};
+use super::super::transforms::is_nonzero;
 
 /// A direction, with its lengths.
 pub(super) struct Aim {
@@ -18,7 +18,7 @@ pub(super) struct Aim {
 pub(super) fn read(instance: &mut Instance) -> Result<Option<Aim>, Stop> {
     let Some(direction) = instance.vector::<3>("aim", 3, 0.0) else { return Ok(None) };
     let span = instance.place("aim");
-    if !direction.iter().all(is_finite) {
+    if !direction.iter().all(Scalar::is_finite) {
         return Err(error(span, "`aim` has to be finite"));
     }
     let [x, y, z] = direction.clone();
