@@ -13,6 +13,8 @@ pub(crate) type FileIndex = usize;
 pub(crate) struct Library {
     /// The files, in the order they were met.
     pub(crate) files: Vec<Loaded>,
+    /// Whether all files that are referred to could be read.
+    pub(crate) is_complete: bool,
     links: FxHashMap<(FileId, Name), FileIndex>,
 }
 
@@ -39,7 +41,7 @@ pub(crate) fn load(
     limits: &Limits,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Library {
-    let library = Library { files: Vec::new(), links: FxHashMap::default() };
+    let library = Library { files: Vec::new(), is_complete: true, links: FxHashMap::default() };
     let mut loader = Loader { world, sources, limits, diagnostics, library, numbers: FxHashMap::default() };
     let name = loader.sources.get(main).name.clone();
     loader.numbers.insert(name, 0);
@@ -96,15 +98,13 @@ impl Loader<'_> {
             let message = format!("can't find `{}`", path.node);
             let error = Diagnostic::error(path.span, message)
                 .with_hint("paths are relative to the file they stand in, or to a library folder");
-            self.diagnostics.push(error);
-            return None;
+            return self.missing(error);
         };
         if let Some(known) = self.numbers.get(&name) {
             return Some(*known);
         }
         if self.library.files.len() >= self.limits.statements {
-            self.diagnostics.push(Diagnostic::error(path.span, "the scene consists of too many files"));
-            return None;
+            return self.missing(Diagnostic::error(path.span, "the scene consists of too many files"));
         }
         match self.world.read(&name) {
             Ok(bytes) => {
@@ -115,11 +115,15 @@ impl Loader<'_> {
                 self.parse(id);
                 Some(number)
             }
-            Err(reason) => {
-                self.diagnostics.push(Diagnostic::error(path.span, format!("can't read `{name}`: {reason}")));
-                None
-            }
+            Err(reason) => self.missing(Diagnostic::error(path.span, format!("can't read `{name}`: {reason}"))),
         }
+    }
+
+    /// Says why there is no such file.
+    fn missing(&mut self, error: Diagnostic) -> Option<FileIndex> {
+        self.library.is_complete = false;
+        self.diagnostics.push(error);
+        None
     }
 }
 
