@@ -53,6 +53,7 @@ pub type Matrix = [[f64; 4]; 3];
 pub struct Provenance {
     lineage: Lineage,
     sites: Sites,
+    highlighted: Vec<SolidId>,
     /// What was made for the live numbers that were asked about last.
     moment: Mutex<Option<Arc<Moment>>>,
 }
@@ -79,7 +80,10 @@ impl Scene {
         let drawn = self.drawn();
         let lineage = with_deep_stack(|| chiaro_field::lower_with_lineage(&drawn))?;
         let sites = Sites::new(&lineage, sources);
-        Ok(Provenance { lineage, sites, moment: Mutex::default() })
+        let mut highlighted: Vec<SolidId> = sites.highlighted().flat_map(|(_, solids)| solids).copied().collect();
+        highlighted.sort_unstable();
+        highlighted.dedup();
+        Ok(Provenance { lineage, sites, highlighted, moment: Mutex::default() })
     }
 }
 
@@ -118,6 +122,17 @@ impl Provenance {
     /// module. If it made none, those of the expression around it; in a module's definition, all that the module made.
     pub fn nodes_at(&self, file: FileId, offset: u32) -> Vec<SolidId> {
         self.sites.at(file, offset)
+    }
+
+    /// The solids of the instances that `#` marks. They are a part of the scene like any other;
+    /// whoever draws may show them besides.
+    pub fn highlighted(&self) -> &[SolidId] {
+        &self.highlighted
+    }
+
+    /// Where `#` marks an instance that came to solids: the sign, with others that stand beside it.
+    pub fn highlights(&self) -> impl Iterator<Item = Span> {
+        self.sites.highlighted().map(|(sign, _)| sign)
     }
 
     /// The head of the innermost expression about this place of a file that made solids; of a module's definition, the

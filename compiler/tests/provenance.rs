@@ -219,3 +219,22 @@ fn a_plane_scene_is_a_slab() {
     assert_eq!(scene.origin([-10.0, 0.0, 0.1]), ["circle(10)"]);
     assert_eq!(scene.origin([25.0, 2.0, 0.1]), ["square(5)", "translate([20, 0])"]);
 }
+
+#[test]
+fn what_is_highlighted_is_found_be_it_cut_away() {
+    let highlighted = |text: &str| {
+        let scene = compiled(text);
+        let name = |solid: &chiaro_compiler::SolidId| scene.provenance.chain(*solid)[0].what.clone();
+        let signs = scene.provenance.highlights().map(|sign| scene.compilation.sources.text(sign).to_owned());
+        (scene.provenance.highlighted().iter().map(name).collect::<Vec<_>>(), signs.collect::<Vec<_>>().concat())
+    };
+    let found = |names: &[&str], signs: &str| (names.iter().map(|name| (*name).to_owned()).collect(), signs.to_owned());
+    assert_eq!(highlighted("difference() { sphere(10); # cylinder(r = 4, h = 30); }"), found(&["cylinder"], "#"));
+    // What is far from all that it is taken from is there to be found, too.
+    let far = "difference() { sphere(10); translate([90, 0, 0]) #cube(1); }";
+    assert_eq!(highlighted(far), found(&["cube"], "#"));
+    assert_eq!(highlighted("module peg() #cube(1); peg(); translate([3, 0, 0]) peg();"), found(&["cube", "cube"], "#"));
+    assert_eq!(highlighted("#for (x = [0 : 1]) translate([x, 0, 0]) sphere(0.2);"), found(&["for"], "#"));
+    assert_eq!(highlighted("cube(1); *#cube(2); %#cube(3); module never() #cube(4);"), found(&[], ""));
+    assert_eq!(highlighted("#!cube(1); sphere(3);"), found(&["cube"], "#!"));
+}

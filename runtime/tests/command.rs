@@ -468,3 +468,13 @@ fn what_cannot_be_exported_says_why_and_writes_nothing() {
     let output = folder.run(&["export", "a.csg", "-o", "a.xyz"]);
     assert!(!output.status.success() && stderr(&output).contains(".stl"), "{}", stderr(&output));
 }
+
+#[test]
+fn check_notes_what_is_highlighted() {
+    let folder = Folder::new()
+        .with("a.csg", "difference() {\n    sphere(10);\n    #cylinder(r = 4, h = 30, center = true);\n}\n")
+        .with("b.csg", "color(\"#ff0000\") cube(1);\n");
+    let said = stderr(&succeeded(folder.run(&["check", "a.csg"])));
+    assert!(said.contains("`#` highlights this in the editor") && said.contains("a.csg:3:5"), "{said}");
+    assert!(!stderr(&succeeded(folder.run(&["check", "b.csg"]))).contains("highlights"));
+}

@@ -6,6 +6,7 @@
 
 // The way of a scene: files are read, blocks sorted out, expressions and instances evaluated, solids built.
 mod load;
+mod misspelt;
 mod plan;
 mod scene;
 

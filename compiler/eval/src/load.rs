@@ -13,6 +13,8 @@ pub(crate) type FileIndex = usize;
 pub(crate) struct Library {
     /// The files, in the order they were met.
     pub(crate) files: Vec<Loaded>,
+    /// Whether all files that are referred to could be read.
+    pub(crate) is_complete: bool,
     links: FxHashMap<(FileId, Name), FileIndex>,
 }
 
@@ -39,7 +41,7 @@ pub(crate) fn load(
     limits: &Limits,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Library {
-    let library = Library { files: Vec::new(), links: FxHashMap::default() };
+    let library = Library { files: Vec::new(), is_complete: true, links: FxHashMap::default() };
     let mut loader = Loader { world, sources, limits, diagnostics, library, numbers: FxHashMap::default() };
     let name = loader.sources.get(main).name.clone();
     loader.numbers.insert(name, 0);
@@ -103,15 +105,13 @@ impl Loader<'_> {
             return None;
         }
         let Some(name) = self.world.find(&self.sources.get(from).name, &path.node) else {
-            self.diagnostics.push(link.missing());
-            return None;
+            return self.missing(link.missing());
         };
         if let Some(known) = self.numbers.get(&name) {
             return Some(*known);
         }
         if self.library.files.len() >= self.limits.statements {
-            self.diagnostics.push(Diagnostic::error(path.span, "the scene consists of too many files"));
-            return None;
+            return self.missing(Diagnostic::error(path.span, "the scene consists of too many files"));
         }
         match self.world.read(&name) {
             Ok(bytes) => {
@@ -122,11 +122,15 @@ impl Loader<'_> {
                 self.parse_named(id, path.span);
                 Some(number)
             }
-            Err(reason) => {
-                self.diagnostics.push(Diagnostic::error(path.span, format!("can't read `{name}`: {reason}")));
-                None
-            }
+            Err(reason) => self.missing(Diagnostic::error(path.span, format!("can't read `{name}`: {reason}"))),
         }
+    }
+
+    /// Says why there is no such file.
+    fn missing(&mut self, error: Diagnostic) -> Option<FileIndex> {
+        self.library.is_complete = false;
+        self.diagnostics.push(error);
+        None
     }
 }
 

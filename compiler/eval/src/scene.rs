@@ -14,8 +14,8 @@ use crate::load::{FileIndex, load};
 use crate::options::{Options, World};
 use crate::plan::Plan;
 use crate::scope::{Scope, Slot, Specials};
-use crate::suggest;
 use crate::value::Value;
+use crate::{misspelt, suggest};
 
 /// What evaluating a scene came to.
 #[derive(Debug)]
@@ -39,7 +39,9 @@ struct Definition {
 
 /// Evaluates the file `main`, and whatever it includes and uses, to a scene.
 ///
-/// If a file can't be read or parsed, or a definition can't, that is all there is to tell: nothing is evaluated then.
+/// If a file can't be read, or a definition can't be parsed, that is all there is to tell: nothing
+/// is evaluated then. Of a file with syntax errors only names are told besides that are misspelt
+/// however it is mended.
 ///
 /// The calling thread needs a stack of [`STACK_BYTES`](crate::STACK_BYTES). The scene's parameters are all those live
 /// numbers that the text declares and that did not become structural, used or not; `$t` is among them only if it is
@@ -47,9 +49,12 @@ struct Definition {
 pub fn evaluate(world: &dyn World, sources: &mut Sources, main: FileId, options: &Options) -> Evaluation {
     let mut diagnostics = Vec::new();
     let library = load(world, sources, main, &options.limits, &mut diagnostics);
-    let definitions = definitions(sources, options, &mut diagnostics);
-    if has_errors(&diagnostics) {
-        // What is missing from the text would be missed everywhere.
+    let mut faults = Vec::new();
+    let definitions = definitions(sources, options, &mut faults);
+    let is_broken = has_errors(&diagnostics);
+    if is_broken && !library.is_complete || has_errors(&faults) {
+        // What is missing would be missed everywhere.
+        diagnostics.extend(faults);
         return Evaluation { scene: None, diagnostics };
     }
     let mut structural = Structural::default();
@@ -67,15 +72,26 @@ pub fn evaluate(world: &dyn World, sources: &mut Sources, main: FileId, options:
         if structural.demote(&demotions, &parameters, round >= MOST_ROUNDS) {
             continue;
         }
+        if is_broken {
+            let certain = misspelt::certain(reports, &library, sources, &diagnostics);
+            diagnostics.extend(certain);
+            diagnostics.sort_by_key(place);
+            return Evaluation { scene: None, diagnostics };
+        }
         diagnostics.extend(demotions.iter().map(unknown_number));
         diagnostics.extend(reports);
-        diagnostics.sort_by_key(|diagnostic| diagnostic.span.map(|span| (span.file, span.start)));
+        diagnostics.sort_by_key(place);
         let failed = has_errors(&diagnostics);
         diagnostics.splice(0..0, echoes);
         diagnostics.append(&mut structural.notes());
         let scene = result.ok().filter(|_| !failed).map(|shown| shown.with(parameters));
         return Evaluation { scene, diagnostics };
     }
+}
+
+/// Where a diagnostic stands in the order of the text.
+fn place(diagnostic: &Diagnostic) -> Option<(FileId, u32)> {
+    diagnostic.span.map(|span| (span.file, span.start))
 }
 
 fn has_errors(diagnostics: &[Diagnostic]) -> bool {

@@ -16,6 +16,8 @@ pub(super) struct Sites {
     solids: HashMap<Span, Vec<SolidId>>,
     /// For each file, its instances and modules: what is inside stands behind what is around it.
     files: Vec<Vec<Site>>,
+    /// The signs and the heads of the instances that `#` marks.
+    marked: Vec<[Span; 2]>,
 }
 
 /// An instance or the definition of a module.
@@ -41,11 +43,23 @@ impl Sites {
                 solids.entry(span).or_default().push(SolidId(index as u32));
             }
         }
+        let mut marked = Vec::new();
         let files = sources.iter().map(|(id, file)| {
             let (tree, _) = parse(id, &file.text, Dialect::of_file(&file.name));
-            sites(&tree.statements)
+            sites(&tree.statements, &mut marked)
         });
-        Self { solids, files: files.collect(), sources: sources.clone() }
+        let files = files.collect();
+        Self { solids, files, sources: sources.clone(), marked }
+    }
+
+    /// The sign `#` of each instance that is marked by it and came to something, with all that it
+    /// came to.
+    pub(super) fn highlighted(&self) -> impl Iterator<Item = (Span, &[SolidId])> {
+        let trimmed = |sign: &Span| {
+            let length = self.sources.text(*sign).trim_end().len() as u32;
+            Span { end: sign.start + length, ..*sign }
+        };
+        self.marked.iter().filter_map(move |[sign, head]| Some((trimmed(sign), &**self.solids.get(head)?)))
     }
 
     /// The name in an instance's head.
@@ -80,13 +94,17 @@ impl Sites {
     }
 }
 
-/// The sites in some statements, each before what is in it.
-fn sites(statements: &[Statement]) -> Vec<Site> {
+/// The sites in some statements, each before what is in it. The signs and heads of those that `#`
+/// marks are added to `marked`.
+fn sites(statements: &[Statement], marked: &mut Vec<[Span; 2]>) -> Vec<Site> {
     let mut sites = Vec::new();
     let mut open: Vec<&Statement> = statements.iter().rev().collect();
     while let Some(statement) = open.pop() {
         match statement {
-            Statement::Instance(Instance { children, otherwise, span, head, .. }) => {
+            Statement::Instance(Instance { modifiers, children, otherwise, span, head, .. }) => {
+                if modifiers.highlight && !modifiers.disable {
+                    marked.push([Span { end: head.start, ..*span }, *head]);
+                }
                 sites.push(Site { extent: *span, name: *head, heads: vec![*head] });
                 open.extend(otherwise.iter().rev());
                 open.extend(children.iter().rev());

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use chiaro_render::Preference;
-use egui::{CentralPanel, Context, Panel, Ui};
+use egui::{CentralPanel, Context, Panel, Ui, UiBuilder};
 
 use crate::clock::Clock;
 use crate::command::Command;
@@ -190,6 +190,7 @@ impl eframe::App for Editor {
         self.advance_clock(ui);
         panels::follow(self, frame.info().cpu_usage.map(Duration::from_secs_f32));
         self.recovery.keep(ui.ctx(), self.session.documents());
+        dialogs::close_by_key(self, &ui.ctx().clone());
         menu::shortcuts(self, &ui.ctx().clone());
         if !self.only_picture {
             Panel::top("menu").show(ui, |ui| menu::show(self, ui));
@@ -197,9 +198,11 @@ impl eframe::App for Editor {
         Panel::bottom("status").show(ui, |ui| status::show(self, ui));
         if !self.only_picture {
             let width = ui.available_width();
-            Panel::left("text").default_size((TEXT * width).min(560.0)).show(ui, |ui| text::show(self, ui));
+            let text = Panel::left("text").default_size((TEXT * width).min(560.0));
+            text.show(ui, |ui| within(ui, |ui| text::show(self, ui)));
             if self.settings.shows_panel {
-                Panel::right("panel").default_size(PANEL).min_size(240.0).show(ui, |ui| panels::show(self, ui));
+                let panel = Panel::right("panel").default_size(PANEL).min_size(240.0);
+                panel.show(ui, |ui| within(ui, |ui| panels::show(self, ui)));
             }
         }
         if self.only_picture && self.session.has_errors() {
@@ -225,4 +228,14 @@ impl eframe::App for Editor {
     fn on_exit(&mut self) {
         self.recovery.close();
     }
+}
+
+/// Shows contents in the room there is, however wide they would be: a panel that grew with them
+/// would make the picture another size, which begins anew then. Only the user changes a panel's
+/// width.
+fn within(ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
+    let room = ui.available_rect_before_wrap();
+    let mut inside = ui.new_child(UiBuilder::new().max_rect(room));
+    contents(&mut inside);
+    ui.advance_cursor_after_rect(room);
 }

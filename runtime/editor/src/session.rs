@@ -40,7 +40,7 @@ pub(crate) struct Session {
     pub(crate) values: Vec<LiveValue>,
     /// What compiling came to last.
     pub(crate) outcome: Option<Outcome>,
-    /// The last scene without errors, which is the one in the picture.
+    /// The last scene without errors of the text that is drawn.
     pub(crate) shown: Option<Shown>,
     /// The newest picture, until somebody takes it.
     pub(crate) frame: Option<Box<Frame>>,
@@ -67,6 +67,8 @@ struct Running {
 
 /// What compiling a text came to.
 pub(crate) struct Outcome {
+    /// The text that was drawn.
+    document: DocumentId,
     pub(crate) revision: u64,
     pub(crate) sources: Arc<Sources>,
     pub(crate) diagnostics: Vec<Diagnostic>,
@@ -232,6 +234,8 @@ impl Session {
     /// Draws another of the open texts.
     pub(crate) fn draw(&mut self, id: DocumentId) {
         self.scene = id;
+        // The last good scene of another text says nothing about this one.
+        self.shown.take_if(|shown| shown.document != id);
         self.definitions.clear();
         self.values.clear();
         self.compile(None);
@@ -361,11 +365,8 @@ impl Session {
                 if let Some(scene) = compiled.scene {
                     self.shown = Some(Shown { document, revision, sources: sources.clone(), scene, provenance: None });
                     self.show();
-                } else if self.shown.as_ref().is_some_and(|shown| shown.document != document) {
-                    // The last good scene of another text says nothing about this one.
-                    self.shown = None;
                 }
-                self.outcome = Some(Outcome { revision, sources, diagnostics: compiled.diagnostics });
+                self.outcome = Some(Outcome { document, revision, sources, diagnostics: compiled.diagnostics });
                 self.watch_files();
                 self.catch_up();
             }
@@ -438,7 +439,8 @@ impl Session {
     /// Whether the text that is drawn has errors.
     pub(crate) fn has_errors(&self) -> bool {
         let is_error = |diagnostic: &Diagnostic| diagnostic.severity == Severity::Error;
-        self.outcome.as_ref().is_some_and(|outcome| outcome.diagnostics.iter().any(is_error))
+        let own = self.outcome.as_ref().filter(|outcome| outcome.document == self.scene);
+        own.is_some_and(|outcome| outcome.diagnostics.iter().any(is_error))
     }
 
     /// Whether what the compiler has to say is about the text that is open.

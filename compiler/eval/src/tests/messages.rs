@@ -74,3 +74,50 @@ fn missing_and_circular_includes_are_found() {
 fn echoes_come_in_the_order_of_execution() {
     assert_eq!(run("module m() echo(2); echo(1); m(); echo(a = 3, \"b\");").echoes, ["1", "2", "a = 3, \"b\""]);
 }
+
+/// The names that are said to be misspelt in a text with syntax errors.
+fn misspelt(text: &str) -> Vec<String> {
+    let outcome = run(text);
+    let (syntax, names): (Vec<_>, Vec<_>) =
+        outcome.errors.into_iter().chain(outcome.warnings).partition(|said| !said.contains("there is no") && !said.contains("has no parameter"));
+    assert!(!syntax.is_empty(), "{text} has no syntax error");
+    names
+}
+
+#[test]
+fn syntax_errors_hide_no_misspelt_names() {
+    let names = misspelt("x = ;\nsphree(8);\ncolr(\"red\") cube(1);\ncylinder(hieght = 3);\nwidth = 2;\ncube(widht);\ny = sqr(4);");
+    assert_eq!(names.len(), 5, "{names:?}");
+    // The text may still be written.
+    assert_eq!(misspelt("sphree(8);\ntranslate([1, 2, 3]").len(), 1);
+}
+
+#[test]
+fn what_a_syntax_error_may_have_defined_is_not_misspelt() {
+    for text in [
+        // The definition can't be read.
+        "modul sphree(r) sphere(r);\nsphree(8);",
+        "module sphree(r { sphere(r); }\nsphree(8);",
+        "module sphree\n(r sphere(r);\nsphree(8);",
+        "width = 1;\nwidht 2;\ncube(widht);",
+        "width = 1;\nmodul peg(a,\n    widht)\n{ cube(widht); }",
+        "function sqr(x) x * x;\ny = sqr(4);",
+        // It can be read, but stands in a block that was not meant so.
+        "width = 1;\nmodule peg() {\n  widht = 2;\n}\n}\ncube(widht);",
+        // On the same line it could be a part of something else.
+        "echo(sphree(8) hello);",
+        // What is not evaluated is not told of a text without errors either.
+        "x = ;\nmodule never() { sphree(8); }",
+        "x = ;\nif (is_undef(widht)) cube(1);\nwidth = 3;",
+    ] {
+        assert_eq!(misspelt(text), [""; 0], "{text}");
+    }
+    let missing = run("include <gone.scad>\nx = ;\nsphree(8);");
+    assert_eq!(missing.errors.len(), 2, "{missing:?}");
+}
+
+#[test]
+fn nothing_but_names_is_told_of_a_text_with_syntax_errors() {
+    let outcome = run("x = ;\necho(1);\nassert(false);\ncube(undef + 1);\nsize = 2;\nsize = 3;");
+    assert_eq!((outcome.echoes.len(), outcome.errors.len(), outcome.warnings.len()), (0, 1, 0), "{outcome:?}");
+}

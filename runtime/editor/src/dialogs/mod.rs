@@ -6,13 +6,14 @@ pub(crate) mod files;
 mod frame_size;
 mod keys;
 mod overwrite;
+mod path_field;
 mod place;
 pub(crate) mod record;
 mod recovered;
 mod unsaved;
 pub(crate) mod writing;
 
-use egui::Ui;
+use egui::{Context, Key, Modifiers, Order, Popup, Ui};
 
 use crate::app::Editor;
 use crate::recovery::Found;
@@ -49,6 +50,28 @@ impl Dialogs {
 
     pub(crate) fn is_busy(&self) -> bool {
         self.writing.as_ref().is_some_and(writing::Writing::is_busy)
+    }
+
+    /// Closes the dialog on top, of those that stay open beside the text.
+    fn close_top(&mut self, context: &Context) {
+        let top = context.memory(|memory| memory.areas().top_layer_id(Order::Middle));
+        let is_writing_top = top.is_some_and(|layer| layer.id == writing::id());
+        if self.shows_keys && !(is_writing_top && self.writing.is_some()) {
+            self.shows_keys = false;
+        } else if let Some(writing) = self.writing.take() {
+            writing.close();
+        }
+    }
+}
+
+/// Closes a dialog by the key for that. Questions, menus and lists that are open see to it
+/// themselves.
+pub(crate) fn close_by_key(editor: &mut Editor, context: &Context) {
+    let dialogs = &mut editor.dialogs;
+    let is_open = dialogs.shows_keys || dialogs.writing.is_some();
+    let is_for_other = dialogs.is_blocking() || Popup::is_any_open(context) || !editor.text.is_quiet();
+    if is_open && !is_for_other && context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+        dialogs.close_top(context);
     }
 }
 

@@ -39,9 +39,15 @@ impl Form for Record {
         "Record"
     }
 
+    fn follow(&mut self, editor: &Editor) -> bool {
+        self.place.follow(editor)
+    }
+
     fn controls(&mut self, ui: &mut Ui) -> bool {
         let before = self.film;
         Grid::new("record").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| {
+            self.place.show_scene(ui);
+            ui.end_row();
             ui.label("Format");
             format(ui, &mut self.film.format);
             ui.end_row();

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use egui::{Align2, Context, ProgressBar, Ui, Window};
+use egui::{Align2, Context, Id, ProgressBar, Ui, Window};
 
 use super::overwrite::Overwrite;
 use crate::app::Editor;
@@ -17,6 +17,9 @@ const BAR: f32 = 280.0;
 pub(crate) trait Form {
     /// The window's title, which is what its button does.
     fn title(&self) -> &'static str;
+
+    /// Keeps up with which scene is drawn. True if it is another one.
+    fn follow(&mut self, editor: &Editor) -> bool;
 
     /// Shows the controls. True if what came of the work before says nothing about what is chosen now.
     fn controls(&mut self, ui: &mut Ui) -> bool;
@@ -95,6 +98,21 @@ impl Writing {
         });
     }
 
+    /// Closes it. What is at work is cancelled.
+    pub(super) fn close(self) {
+        if let Some(job) = &self.job {
+            job.progress.cancel();
+        }
+    }
+
+    /// Keeps up with which scene is drawn, but for the work that began with another one.
+    fn follow(&mut self, editor: &Editor) {
+        // What was written is there all the same.
+        if self.job.is_none() && self.overwrite.is_none() && self.form.follow(editor) {
+            self.outcome.take_if(|outcome| outcome.is_err());
+        }
+    }
+
     fn contents(&mut self, editor: &Editor, ui: &mut Ui) {
         let is_another = ui.add_enabled_ui(self.job.is_none(), |ui| self.form.controls(ui)).inner;
         if is_another {
@@ -126,9 +144,10 @@ impl Writing {
 pub(super) fn show(editor: &mut Editor, context: &Context) {
     let Some(mut writing) = editor.dialogs.writing.take() else { return };
     writing.poll();
+    writing.follow(editor);
     writing.answer(editor, context);
     let mut is_open = true;
-    let window = Window::new(writing.form.title()).open(&mut is_open).collapsible(false).resizable(false);
+    let window = Window::new(writing.form.title()).id(id()).open(&mut is_open).collapsible(false).resizable(false);
     let middle = context.content_rect().center();
     window.pivot(Align2::CENTER_CENTER).default_pos(middle).show(context, |ui| {
         ui.set_width(WIDTH);
@@ -136,9 +155,14 @@ pub(super) fn show(editor: &mut Editor, context: &Context) {
     });
     if is_open {
         editor.dialogs.writing = Some(writing);
-    } else if let Some(job) = &writing.job {
-        job.progress.cancel();
+    } else {
+        writing.close();
     }
+}
+
+/// The window's id.
+pub(super) fn id() -> Id {
+    Id::unique("writing")
 }
 
 /// How far the work is, and a way to end it.

@@ -85,7 +85,7 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
         if !timings.sample.is_zero() {
             row(ui, "Samples a second", &format!("{:.1}", 1.0 / timings.sample.as_secs_f64()));
         }
-        row(ui, "Samples", &editor.viewport.samples.to_string());
+        row(ui, "Samples", &editor.viewport.samples().to_string());
         if let Some(shown) = &editor.session.shown {
             row(ui, "Nodes of the field", &shown.scene.graph.nodes.len().to_string());
             row(ui, "Live numbers", &shown.scene.graph.slots.len().to_string());
@@ -110,11 +110,13 @@ fn stages(ui: &mut Ui, timings: &Timings) {
         ("A sample", timings.sample),
     ];
     let longest = stages.iter().map(|(_, time)| time.as_secs_f32()).fold(1e-6, f32::max);
+    let right = ui.max_rect().right();
     Grid::new("stages").num_columns(3).spacing([12.0, 4.0]).show(ui, |ui| {
         for (name, time) in stages {
             ui.label(name);
             ui.monospace(milliseconds(time));
-            let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width().max(20.0), 12.0), Sense::hover());
+            let room = (right - ui.cursor().left()).max(0.0);
+            let (rect, _) = ui.allocate_exact_size(vec2(room, 12.0), Sense::hover());
             let width = rect.width() * time.as_secs_f32() / longest;
             let bar = Rect::from_min_size(rect.min, vec2(width.max(1.0), rect.height()));
             ui.painter().rect_filled(bar, 2.0, ui.visuals().selection.bg_fill);

@@ -4,6 +4,7 @@
 //! looked at about ten times a second, between two steps of a picture.
 
 mod canvas;
+mod highlight;
 mod inspection;
 mod pace;
 
@@ -105,10 +106,9 @@ impl Easel {
         }
         let Some(wanted) = order.wanted else { return };
         if wanted != self.wanted {
-            let Wanted { samples, moving, outlined, .. } = self.wanted.clone();
-            // What is outlined lies over the picture.
-            let is_same_picture = Wanted { samples, moving, outlined, ..wanted.clone() } == self.wanted;
-            self.outline_is_due |= wanted.outlined != self.wanted.outlined;
+            let is_same_picture = wanted.eye == self.wanted.eye && wanted.shows_like(&self.wanted);
+            let over = |wanted: &Wanted| (wanted.outlined.clone(), wanted.highlighted.clone());
+            self.outline_is_due |= over(&wanted) != over(&self.wanted);
             self.wanted = wanted;
             self.stage = if is_same_picture && self.stage != Stage::Small { Stage::Full } else { Stage::Small };
         }
@@ -155,9 +155,9 @@ impl Easel {
         let Some((rgba, legend)) = self.inspecting()?.draw(view, size, inspection, goes_on)? else { return Ok(None) };
         let took = begun.elapsed();
         self.inspected_pace.note(size, took);
-        let mask = self.mask(view, size, goes_on)?;
+        let over = self.over(view, size, goes_on)?;
         self.stage = if size == self.wanted.size || self.wanted.moving { Stage::Done } else { Stage::Full };
-        let picture = Picture { size, rgba, other: None, legend: Some(legend), mask, view, samples: 1, took };
+        let picture = Picture { size, rgba, other: None, legend: Some(legend), over, view, samples: 1, took };
         self.frame(picture, took).map(Some)
     }
 
@@ -179,6 +179,11 @@ impl Easel {
         }
     }
 
+    /// What lies over the picture.
+    fn over(&mut self, view: View, size: [u32; 2], goes_on: &dyn Fn() -> bool) -> Result<Over, Error> {
+        Ok(Over { mask: self.mask(view, size, goes_on)?, highlight: self.highlight(view, size, goes_on)? })
+    }
+
     /// Which pixels show what is to be outlined.
     fn mask(
         &mut self,
@@ -192,6 +197,20 @@ impl Easel {
         Ok(mask.map(|mask| (outlined, mask)))
     }
 
+    /// What is to be highlighted.
+    fn highlight(
+        &mut self,
+        view: View,
+        size: [u32; 2],
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<Option<Vec<u8>>, Error> {
+        let (Some(subject), Some(solids)) = (self.subject.clone(), self.wanted.highlighted.clone()) else {
+            return Ok(None);
+        };
+        let parameters = self.wanted.parameters(&subject.scene);
+        self.inspecting()?.highlight(&subject, view, size, &solids, &parameters, goes_on)
+    }
+
     fn draw_small(&mut self, goes_on: &dyn Fn() -> bool) -> Result<Frame, Error> {
         let size = self.pace.small(self.wanted.size);
         let view = self.view()?;
@@ -203,8 +222,8 @@ impl Easel {
         let took = begun.elapsed();
         self.pace.note(size, took);
         // What was just written is to be seen first: its outline can't be known yet, and any other is out of date.
-        let mask = if self.is_first() { None } else { self.mask(view, size, goes_on)? };
-        let frame = self.frame(canvas.picture(mask)?, took)?;
+        let over = if self.is_first() { Over::default() } else { self.over(view, size, goes_on)? };
+        let frame = self.frame(canvas.picture(over)?, took)?;
         self.small = Some(canvas);
         self.stage = if self.wanted.moving { Stage::Done } else { Stage::Full };
         Ok(frame)
@@ -223,8 +242,8 @@ impl Easel {
         let is_due = canvas.samples() <= 1 || self.last_shown.is_none_or(|shown| shown.elapsed() >= SHOWN_EVERY);
         let shown = is_done || is_complete && is_due || is_outlined || canvas.samples() > 0 && self.is_first();
         let frame = if shown {
-            let mask = self.mask(view, self.wanted.size, goes_on)?;
-            Some(self.frame(canvas.picture(mask)?, begun.elapsed())?)
+            let over = self.over(view, self.wanted.size, goes_on)?;
+            Some(self.frame(canvas.picture(over)?, begun.elapsed())?)
         } else {
             None
         };
@@ -275,16 +294,16 @@ impl Easel {
 
     fn frame(&mut self, picture: Picture, first_sample: Duration) -> Result<Frame, Error> {
         let Some(subject) = &mut self.subject else { return Err(Error::NoDriver) };
-        let Picture { size, rgba, other, legend, mask, view, samples, took } = picture;
+        let Picture { size, rgba, other, legend, over: Over { mask, highlight }, view, samples, took } = picture;
         let timings = &mut subject.timings;
         timings.sample = took;
         if let Some(asked) = timings.asked.take() {
             (timings.first_sample, timings.to_frame) = (first_sample, asked.elapsed());
         }
         self.last_shown = Some(Instant::now());
-        let (revision, timings, eye) = (subject.revision, *timings, self.wanted.eye);
+        let (revision, timings, wanted) = (subject.revision, *timings, self.wanted.clone());
         let scene = subject.scene.clone();
-        Ok(Frame { revision, scene, size, rgba, other, legend, mask, eye, view, samples, timings })
+        Ok(Frame { revision, scene, size, rgba, other, legend, mask, highlight, wanted, view, samples, timings })
     }
 }
 
@@ -301,8 +320,15 @@ struct Picture {
     rgba: Vec<u8>,
     other: Option<Vec<u8>>,
     legend: Option<Legend>,
-    mask: Option<(Outlined, Mask)>,
+    over: Over,
     view: View,
     samples: u32,
     took: Duration,
+}
+
+/// What lies over a picture: the pixels that show what is outlined, and what is highlighted.
+#[derive(Default)]
+struct Over {
+    mask: Option<(Outlined, Mask)>,
+    highlight: Option<Vec<u8>>,
 }

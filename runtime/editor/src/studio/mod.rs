@@ -90,8 +90,10 @@ pub(crate) struct Frame {
     pub(crate) legend: Option<Legend>,
     /// Which pixels show what is outlined.
     pub(crate) mask: Option<(Outlined, Mask)>,
-    /// What was wanted of the view, and what that came to.
-    pub(crate) eye: Eye,
+    /// What `#` highlights: bytes as those of the picture.
+    pub(crate) highlight: Option<Vec<u8>>,
+    /// What was wanted, and what that came to of the view.
+    pub(crate) wanted: Wanted,
     pub(crate) view: View,
     pub(crate) samples: u32,
     pub(crate) timings: Timings,

@@ -28,6 +28,8 @@ pub(crate) struct Wanted {
     pub(crate) moving: bool,
     /// Whose outline is drawn.
     pub(crate) outlined: Option<Outlined>,
+    /// What is highlighted, hidden by nothing but what is before it.
+    pub(crate) highlighted: Option<Outlined>,
 }
 
 /// From where the scene is seen.
@@ -89,11 +91,19 @@ impl Default for Wanted {
             samples: 64,
             moving: false,
             outlined: None,
+            highlighted: None,
         }
     }
 }
 
 impl Wanted {
+    /// Whether a picture of the one is one of the other too, if both are seen from the same place.
+    /// What is outlined and highlighted lies over the picture.
+    pub(crate) fn shows_like(&self, other: &Wanted) -> bool {
+        let Wanted { eye, samples, moving, outlined, highlighted, .. } = other.clone();
+        Wanted { eye, samples, moving, outlined, highlighted, ..self.clone() } == *other
+    }
+
     /// The values of a scene's live parameters, in the order of their ids.
     pub(crate) fn parameters(&self, scene: &Scene) -> Vec<f64> {
         let value = |parameter: &LiveParameter| {

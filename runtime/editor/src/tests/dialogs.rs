@@ -110,3 +110,64 @@ fn recent_files_are_listed_but_for_those_that_are_gone() {
     person.harness.get_by_label_contains("there is no such file").rect();
     assert_eq!(person.editor().settings.recent, [main]);
 }
+
+#[test]
+fn escape_closes_what_is_open_from_the_top() {
+    let mut person = Person::with("cube(4);\n");
+    person.until_drawn();
+    let is_open = |person: &Person, name: &str| {
+        let windows = person.harness.query_all_by_role_and_label(Role::Window, name);
+        windows.count() > 0
+    };
+    for (key, modifiers, window) in
+        [(Key::F1, Modifiers::NONE, "Keys"), (Key::E, Modifiers::COMMAND, "Export"), (Key::R, CTRL_SHIFT, "Record")]
+    {
+        person.presses(modifiers, key);
+        assert!(is_open(&person, window), "{window}");
+        person.presses(Modifiers::NONE, Key::Escape);
+        assert!(!is_open(&person, window), "{window}");
+    }
+    // A list of formats is nearer than its dialog, and a question nearer than what asks it.
+    fs::write(person.file("main.stl"), "somebody's work").unwrap();
+    person.presses(Modifiers::COMMAND, Key::E);
+    person.harness.get_by_role_and_label(Role::ComboBox, "Format").click();
+    person.frames(3);
+    person.presses(Modifiers::NONE, Key::Escape);
+    assert!(is_open(&person, "Export") && person.harness.query_by_label("OpenSCAD text").is_none());
+    person.clicks_button("Export");
+    person.harness.get_by_label_contains("Replace main.stl?").rect();
+    person.presses(Modifiers::NONE, Key::Escape);
+    assert!(is_open(&person, "Export") && person.harness.query_by_label_contains("Replace main.stl?").is_none());
+    person.presses(Modifiers::NONE, Key::F1);
+    person.presses(Modifiers::NONE, Key::Escape);
+    assert!(is_open(&person, "Export") && !is_open(&person, "Keys"));
+    person.presses(Modifiers::NONE, Key::Escape);
+    assert!(!is_open(&person, "Export"));
+    assert_eq!(fs::read(person.file("main.stl")).unwrap(), b"somebody's work");
+}
+
+#[test]
+fn an_export_is_of_the_scene_in_the_picture() {
+    let mut person = Person::with_files(&[("main.csg", "cube(4);\n"), ("other.csg", "cube(9);\n")]);
+    person.until_drawn();
+    person.presses(Modifiers::COMMAND, Key::E);
+    let file = |person: &Person| {
+        let field = person.harness.get_by_role_and_label(Role::TextInput, "File").value().unwrap();
+        std::path::Path::new(&field).file_name().unwrap().to_owned()
+    };
+    let says = |person: &Person, scene: &str| person.harness.query_all_by_role_and_label(Role::Label, scene).count() > 0;
+    assert!(says(&person, "main.csg") && file(&person) == "main.stl");
+    let other = person.file("other.csg");
+    person.editor_mut().open(&other);
+    person.until_drawn();
+    assert!(says(&person, "other.csg") && file(&person) == "other.stl");
+    person.clicks_button("Export");
+    let mesh = person.file("other.stl");
+    person.until("exported", |editor| mesh.exists() && !editor.dialogs.is_busy());
+    assert!(!person.file("main.stl").exists());
+    // Binary STL: corners are three numbers each, behind 84 bytes and a normal.
+    let bytes = fs::read(&mesh).unwrap();
+    let corners = bytes[84..].chunks_exact(50).flat_map(|triangle| triangle[12..48].chunks_exact(4));
+    let farthest = corners.map(|number| f32::from_le_bytes(number.try_into().unwrap())).fold(0.0, f32::max);
+    assert!((farthest - 9.0).abs() < 1e-3, "{farthest}: that is another scene");
+}

@@ -116,12 +116,12 @@ fn other_files_are_not_overwritten_without_asking() {
 fn what_is_opened_beside_another_text_is_drawn() {
     let mut person = Person::with_files(&[("main.csg", "cube(4);\n"), ("other.csg", "cube(9);\n")]);
     person.until_drawn();
-    let before = person.editor().viewport.drawn.unwrap().distance;
+    let before = person.editor().viewport.drawn().unwrap().distance;
     let other = person.file("other.csg");
     person.editor_mut().open(&other);
     person.until("drawn", |editor| reach(editor) == 9.0);
     person.until_drawn();
-    let now = person.editor().viewport.drawn.unwrap().distance;
+    let now = person.editor().viewport.drawn().unwrap().distance;
     assert!(
         (now / before - 9.0 / 4.0).abs() < 0.1,
         "it is not framed anew: seen from {now} mm, the one before from {before}"
@@ -141,7 +141,7 @@ fn several_texts_without_files_are_drawn_each_as_it_is() {
     person.until("drawn", |editor| editor.session.shown.is_some() && reach(editor) == 4.0);
     person.until_drawn();
     // It began empty: it is framed nevertheless.
-    let distance = person.editor().viewport.drawn.unwrap().distance;
+    let distance = person.editor().viewport.drawn().unwrap().distance;
     assert!(distance < 60.0, "a cube of 4 mm is seen from {distance} mm");
     person.presses(Modifiers::COMMAND, Key::N);
     person.types("cube(9);");
@@ -173,6 +173,39 @@ fn a_text_without_a_file_is_saved_where_the_user_says() {
     person.until("saved", |editor| !editor.session.active().is_modified());
     assert_eq!(fs::read_to_string(person.file("part.csg")).unwrap(), "cube(4);");
     assert!(person.editor().session.failure.is_none());
+}
+
+#[test]
+fn a_path_is_completed_and_an_absolute_one_takes_its_place() {
+    let mut person = Person::with_files(&[("main.csg", "cube(4);\n"), ("part_one.csg", ""), ("part_two.scad", "")]);
+    fs::create_dir(person.file("models")).unwrap();
+    let elsewhere = tempfile::tempdir().unwrap();
+    let (id, folder) = (person.editor().session.active().id, person.file(""));
+    person.editor_mut().dialogs.files.save_in_window(id, &folder);
+    person.frames(3);
+    let field = |person: &Person| person.harness.get_by_role_and_label(egui::Role::TextInput, "File").value().unwrap();
+    for name in ["main.csg", "part_one.csg", "part_two.scad", "models/"] {
+        person.harness.get_by_role_and_label(egui::Role::Button, name).rect();
+    }
+    person.types("pa");
+    person.presses(Modifiers::NONE, Key::Tab);
+    assert_eq!(field(&person), folder.join("part_").display().to_string());
+    assert!(person.harness.query_by_role_and_label(egui::Role::Button, "models/").is_none());
+    person.sees("path");
+    person.clicks_button("part_two.scad");
+    assert_eq!(field(&person), folder.join("part_two.scad").display().to_string());
+    // A folder is no file to be written: its contents are offered.
+    for _ in 0.."part_two.scad".len() {
+        person.presses(Modifiers::NONE, Key::Backspace);
+    }
+    person.types("models");
+    person.presses(Modifiers::NONE, Key::Enter);
+    assert_eq!(field(&person), folder.join("models/").display().to_string());
+    person.types(&elsewhere.path().join("part").display().to_string());
+    assert_eq!(field(&person), elsewhere.path().join("part").display().to_string());
+    person.presses(Modifiers::NONE, Key::Enter);
+    person.until("saved", |editor| editor.session.active().title() == "part.csg");
+    assert!(elsewhere.path().join("part.csg").exists());
 }
 
 #[test]

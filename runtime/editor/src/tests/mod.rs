@@ -3,6 +3,8 @@
 mod dialogs;
 mod figures;
 mod files;
+mod kept;
+mod likeness;
 mod panels;
 mod person;
 mod picture;

@@ -112,3 +112,30 @@ fn time_moves_the_scene() {
     let value = person.editor().session.wanted().values.first().map(|value| value.value);
     assert_eq!(value, Some(0.5));
 }
+
+#[test]
+fn only_the_user_makes_a_panel_wider() {
+    let mut person = Person::with(&format!("{SCENE}echo(\"{}\");\n", "a long line ".repeat(30)));
+    person.until_linked();
+    let place = person.editor().viewport.place();
+    for panel in Panel::ALL {
+        person.editor_mut().show_panel(panel);
+        person.frames(4);
+        assert_eq!(person.editor().viewport.place(), place, "{panel:?}");
+    }
+    // What is shown here becomes longer by and by.
+    person.editor_mut().show_panel(Panel::Timings);
+    for digits in 1..12 {
+        let editor = person.editor_mut();
+        editor.session.device = "a device of a long name ".repeat(digits);
+        editor.viewport.timings.pipelines = std::time::Duration::from_millis(10_u64.pow(digits as u32));
+        editor.viewport.timings.to_frame += std::time::Duration::from_millis(7);
+        person.frames(2);
+        assert_eq!(person.editor().viewport.place(), place);
+    }
+    let edge = egui::pos2(place.right() + 1.0, place.center().y);
+    person.drags(edge, egui::vec2(-60.0, 0.0), egui::Modifiers::NONE);
+    person.frames(3);
+    let now = person.editor().viewport.place();
+    assert!((now.right() - place.right() + 60.0).abs() < 4.0, "{place:?} {now:?}");
+}

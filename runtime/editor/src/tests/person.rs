@@ -1,26 +1,23 @@
 //! Somebody who uses the editor.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use chiaro_render::Preference;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use image::RgbaImage;
 use tempfile::TempDir;
 
+use super::{kept, likeness};
 use crate::app::{Editor, Options};
+use crate::studio::Look;
 
 /// In points, which are pixels here.
 const WINDOW: Vec2 = vec2(1200.0, 640.0);
-/// The status line is not compared: it tells how long things took, and on what.
-const STATUS: u32 = 32;
 /// Nothing takes so long, on any machine.
 const PATIENCE: Duration = Duration::from_secs(400);
-/// How far a picture may be from the one that is kept: the mean of the differences, in steps of 8 bits.
-const TOLERANCE: f64 = 2.0;
 /// Samples of a picture that is waited for.
 const SAMPLES: u32 = 4;
 
@@ -107,8 +104,11 @@ impl Person {
     #[track_caller]
     pub(super) fn until_drawn(&mut self) {
         self.until("drawn", |editor| {
-            let is_compiled = editor.session.outcome.as_ref().is_some() && !editor.session.is_outdated();
-            is_compiled && !editor.session.wanted().moving && editor.viewport.samples >= SAMPLES
+            let (session, viewport) = (&editor.session, &editor.viewport);
+            let is_compiled = session.outcome.as_ref().is_some() && !session.is_outdated();
+            // What isn't lit has one sample.
+            let is_fine = viewport.samples() >= SAMPLES || viewport.look != Look::Lit;
+            is_compiled && is_fine && !session.wanted().moving && viewport.is_settled(session.wanted())
         });
     }
 
@@ -225,30 +225,25 @@ impl Person {
     pub(super) fn sees(&mut self, name: &str) {
         self.harness.remove_cursor();
         self.frames(2);
-        let is_settled = |editor: &Editor| editor.viewport.selection.is_none() || editor.viewport.is_outlined();
-        self.until("outlined", is_settled);
+        let is_outlined = |editor: &Editor| editor.viewport.selection.is_none() || editor.viewport.is_outlined();
+        self.until("outlined", is_outlined);
+        let is_highlighted = |editor: &Editor| {
+            editor.session.wanted().highlighted.is_none() || editor.viewport.is_highlighted()
+        };
+        self.until("highlighted", is_highlighted);
         let seen = self.harness.render().unwrap();
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/pictures").join(format!("{name}.png"));
+        let path = kept::path(name);
         if std::env::var_os("CHIARO_BLESS").is_some() {
             fs::create_dir_all(path.parent().unwrap()).unwrap();
             seen.save(&path).unwrap();
             return;
         }
-        let kept = image::open(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display())).to_rgba8();
-        let difference = difference(&seen, &kept);
-        if difference > TOLERANCE {
+        let before = image::open(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display())).to_rgba8();
+        let difference = likeness::difference(&kept::compared(&seen), &kept::compared(&before));
+        if difference > kept::TOLERANCE {
             let now = std::env::temp_dir().join(format!("chiaro-editor-{name}.png"));
             seen.save(&now).unwrap();
             panic!("{name} differs by {difference:.2}: see {}; CHIARO_BLESS=1 keeps it", now.display());
         }
     }
-}
-
-/// The mean difference of two windows, in steps of 8 bits.
-fn difference(a: &RgbaImage, b: &RgbaImage) -> f64 {
-    assert_eq!(a.dimensions(), b.dimensions());
-    let rows = (a.height() - STATUS) * a.width();
-    let pixels = a.pixels().zip(b.pixels()).take(rows as usize);
-    let channels = pixels.flat_map(|(a, b)| (0..3).map(move |channel| f64::from(a[channel].abs_diff(b[channel]))));
-    channels.sum::<f64>() / f64::from(3 * rows)
 }

@@ -75,22 +75,22 @@ fn an_edit_beside_the_field_keeps_the_picture() {
     person.until_linked();
     person.goes_to("translate([-12");
     person.until("settled", |editor| editor.viewport.is_outlined());
-    let samples = person.editor().viewport.samples;
+    let samples = person.editor().viewport.samples();
     person.types("/**/ ");
     person.until("of the new text", |editor| editor.session.is_compiled() && !editor.session.is_outdated());
-    assert_eq!(person.editor().viewport.samples, samples, "the picture began anew");
+    assert_eq!(person.editor().viewport.samples(), samples, "the picture began anew");
 }
 
 #[test]
 fn dragging_turns_the_scene() {
     let mut person = Person::with(SCENE);
     person.until_drawn();
-    let before = person.editor().viewport.drawn.unwrap();
+    let before = person.editor().viewport.drawn().unwrap();
     let at = seen(&person, [0.0, 0.0, 0.0]) + vec2(0.0, 150.0);
     person.drags(at, vec2(60.0, 0.0), Modifiers::NONE);
-    person.until("turned", move |editor| editor.viewport.drawn.is_some_and(|now| now.rotation != before.rotation));
+    person.until("turned", move |editor| editor.viewport.drawn().is_some_and(|now| now.rotation != before.rotation));
     person.until_drawn();
-    let after = person.editor().viewport.drawn.unwrap();
+    let after = person.editor().viewport.drawn().unwrap();
     assert!((after.rotation[2] - before.rotation[2]).abs() > 5.0, "{before:?} {after:?}");
     assert!(matches!(person.editor().viewport.eye, Eye::At(_)));
     person.presses(Modifiers::NONE, Key::F6);
@@ -103,6 +103,7 @@ fn a_screenshot_shows_what_the_window_does() {
     let mut person = Person::with(SCENE);
     person.until_drawn();
     person.editor_mut().viewport.look = Look::Inspected(Inspection::Normals);
+    person.frames(2);
     person.until_drawn();
     person.presses(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
     person.frames(2);
@@ -126,7 +127,7 @@ fn a_lost_device_comes_back() {
     person.until("lost", |editor| editor.session.sabotage().is_done());
     person.until("back", |editor| editor.session.trouble.is_none());
     person.until_drawn();
-    assert!(person.editor().viewport.drawn.is_some());
+    assert!(person.editor().viewport.drawn().is_some());
 }
 
 #[test]
@@ -159,4 +160,144 @@ fn a_mistake_in_the_drawing_thread_is_a_message() {
     person.goes_to("cube");
     person.types("sphere(1);");
     person.until("drawn after an edit", |editor| editor.session.trouble.is_none() && !editor.session.is_outdated());
+}
+
+/// The colour of the window at a point.
+fn color_at(person: &mut Person, at: Pos2) -> [u8; 3] {
+    let window = person.harness.render().unwrap();
+    let [red, green, blue, _] = window.get_pixel(at.x as u32, at.y as u32).0;
+    [red, green, blue]
+}
+
+#[test]
+fn what_is_marked_is_highlighted_be_it_cut_away() {
+    let text = "difference() {\n    sphere(10);\n    #cylinder(r = 4, h = 30, center = true);\n}\n";
+    let mut person = Person::with(text);
+    person.until_linked();
+    person.until("highlighted", |editor| editor.viewport.is_highlighted());
+    person.until_drawn();
+    let is_pink = |[red, green, blue]: [u8; 3]| red > 140 && i32::from(red) - i32::from(green.max(blue)) > 40;
+    // The cylinder's end stands out of the ball, where nothing of the scene is; the ball's side
+    // hides the rest.
+    let (end, side) = (seen(&person, [0.0, 0.0, 15.0]), seen(&person, [0.0, -9.8, 0.0]));
+    assert!(is_pink(color_at(&mut person, end)) && !is_pink(color_at(&mut person, side)));
+    person.sees("highlight");
+    person.goes_to("#");
+    person.types("// ");
+    person.until_drawn();
+    assert!(!person.editor().viewport.is_highlighted());
+}
+
+#[test]
+fn a_look_is_that_of_one_text() {
+    let mut person = Person::with_files(&[("main.csg", SCENE), ("other.csg", "cube(9);\n")]);
+    person.until_drawn();
+    let normals = Look::Inspected(Inspection::Normals);
+    person.editor_mut().viewport.look = normals;
+    person.frames(2);
+    person.until_drawn();
+    person.presses(Modifiers::COMMAND, Key::N);
+    person.frames(2);
+    assert_eq!(person.editor().viewport.look, Look::Lit);
+    assert!(person.harness.query_by_label("normal").is_none(), "a legend of another text");
+    person.clicks_on("main.csg");
+    person.frames(2);
+    assert_eq!(person.editor().viewport.look, normals);
+}
+
+#[test]
+fn a_picture_that_was_there_a_moment_ago_is_there_again() {
+    let mut person = Person::with_files(&[("main.csg", SCENE), ("other.csg", "cube(9);\n")]);
+    person.until_drawn();
+    let at = seen(&person, [0.0, 0.0, 0.0]) + vec2(0.0, 150.0);
+    person.drags(at, vec2(60.0, 0.0), Modifiers::NONE);
+    person.until_drawn();
+    let (view, place) = (person.editor().viewport.drawn(), person.editor().viewport.place());
+    person.harness.remove_cursor();
+    person.frames(2);
+    let picture = |person: &mut Person| {
+        let window = person.harness.render().unwrap();
+        let [x, y, width, height] = [place.left(), place.top() + 40.0, place.width(), place.height() - 80.0];
+        image::imageops::crop_imm(&window, x as u32, y as u32, width as u32, height as u32).to_image()
+    };
+    let before = picture(&mut person);
+    let other = person.file("other.csg");
+    person.editor_mut().open(&other);
+    person.until_drawn();
+    assert!(super::likeness::difference(&before, &picture(&mut person)) > 10.0);
+    person.clicks_on("main.csg");
+    // It is there before anything was drawn anew, and nothing worse takes its place.
+    assert_eq!(person.editor().viewport.drawn(), view);
+    person.harness.remove_cursor();
+    person.frames(2);
+    for _ in 0..10 {
+        assert_eq!(super::likeness::difference(&before, &picture(&mut person)), 0.0);
+        std::thread::sleep(std::time::Duration::from_millis(30));
+        person.frames(1);
+    }
+    person.until_linked();
+    assert_eq!(super::likeness::difference(&before, &picture(&mut person)), 0.0);
+    // And it can be moved as before.
+    person.drags(at, vec2(60.0, 0.0), Modifiers::NONE);
+    person.until_drawn();
+    assert_ne!(person.editor().viewport.drawn(), view);
+}
+
+/// How far a scene's corner is from the middle of the picture, in halves of its height.
+fn reach(person: &Person, corner: [f64; 3]) -> f32 {
+    let (at, place) = (seen(person, corner), person.editor().viewport.place());
+    let from = at - place.center();
+    from.x.abs().max(from.y.abs()) / (0.5 * place.height())
+}
+
+#[test]
+fn a_view_follows_the_size_unless_somebody_chose_it() {
+    let mut person = Person::with("width = 10; // [1:1000]\ncube([width, 10, 10], center = true);\n");
+    person.until_drawn();
+    let sets = |person: &mut Person, width: f64| {
+        person.harness.get_by_role_and_label(egui::Role::Slider, "width").set_value_accesskit(width);
+        person.frames(3);
+    };
+    let before = reach(&person, [5.0, 5.0, 5.0]);
+    // A little more or less is seen as such.
+    sets(&mut person, 11.0);
+    let view = person.editor().viewport.drawn();
+    person.until_drawn();
+    assert_eq!(person.editor().viewport.drawn(), view);
+    sets(&mut person, 200.0);
+    person.until("followed", move |editor| editor.viewport.drawn() != view);
+    person.until_drawn();
+    let now = reach(&person, [100.0, 5.0, 5.0]);
+    assert!(now < 1.3 * before.max(1.0), "{before} {now}");
+    // Whoever moved the picture is asked.
+    let at = seen(&person, [0.0, 0.0, 0.0]) + vec2(0.0, 120.0);
+    person.drags(at, vec2(30.0, 0.0), Modifiers::NONE);
+    person.until_drawn();
+    let chosen = person.editor().viewport.drawn();
+    sets(&mut person, 900.0);
+    person.until("a hint", |editor| editor.viewport.is_off());
+    person.frames(2);
+    assert_eq!(person.editor().viewport.drawn(), chosen);
+    person.sees("size");
+    person.presses(Modifiers::NONE, Key::F6);
+    person.until_drawn();
+    assert!(!person.editor().viewport.is_off() && reach(&person, [450.0, 5.0, 5.0]) < 1.5);
+}
+
+#[test]
+fn a_selection_can_be_read_from_the_first_moment() {
+    let mut person = Person::with(SCENE);
+    person.until_linked();
+    let at = seen(&person, [12.0, 0.0, 0.0]);
+    person.clicks(at, Modifiers::NONE);
+    // Behind the words there is a dark colour at once, as dark as it stays.
+    let behind = |person: &mut Person| {
+        let at = person.place(person.text().find("sphere(8)").unwrap());
+        color_at(person, at + vec2(1.0, -6.0))
+    };
+    let (first, dark) = (behind(&mut person), |color: [u8; 3]| color.iter().all(|channel| *channel < 96));
+    person.until("outlined", |editor| editor.viewport.is_outlined());
+    person.frames(12);
+    let last = behind(&mut person);
+    assert!(dark(first) && dark(last), "{first:?} {last:?}");
 }

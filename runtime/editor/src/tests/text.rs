@@ -38,6 +38,50 @@ fn names_are_completed() {
 }
 
 #[test]
+fn what_a_completion_wrote_is_typed_over() {
+    // The bracket of a call, the brackets behind which the caret stands already, and the sign of a
+    // parameter.
+    for (begun, typed, expected) in [
+        ("cyl", "(h=10);", "cylinder(h=10);\n"),
+        ("unio", "(r=2) ", "union(r=2) \n"),
+        ("sphere(", "d=3", "sphere(d = 3)\n"),
+    ] {
+        let mut person = Person::with("\n");
+        person.goes_to("\n");
+        person.types(begun);
+        if let Some((name, rest)) = typed.split_once('=').filter(|_| begun.ends_with('(')) {
+            person.types(name);
+            person.presses(Modifiers::NONE, Key::Tab);
+            person.types(&format!("={rest}"));
+        } else {
+            person.presses(Modifiers::NONE, Key::Tab);
+            person.types(typed);
+        }
+        assert_eq!(person.text(), expected);
+    }
+}
+
+#[test]
+fn what_a_completion_wrote_is_forgotten_when_something_else_is_done() {
+    let mut person = Person::with("\n");
+    person.goes_to("\n");
+    person.types("cyl");
+    person.presses(Modifiers::NONE, Key::Tab);
+    person.types("1");
+    person.presses(Modifiers::NONE, Key::Backspace);
+    person.types("(");
+    assert_eq!(person.text(), "cylinder(())\n");
+}
+
+#[test]
+fn echoes_are_marked_at_their_word() {
+    let mut person = Person::with("echo(version = version());\nsphree(4);\n");
+    person.until_compiled();
+    person.frames(2);
+    person.sees("echo");
+}
+
+#[test]
 fn broken_texts_keep_the_picture_and_are_mended_by_a_click() {
     let mut person = Person::with("cube(10);\n");
     person.until_drawn();
@@ -47,7 +91,7 @@ fn broken_texts_keep_the_picture_and_are_mended_by_a_click() {
     person.until_compiled();
     assert!(person.editor().session.has_errors());
     assert_eq!(person.editor().session.shown.as_ref().unwrap().revision, drawn);
-    assert!(person.editor().viewport.samples > 0);
+    assert!(person.editor().viewport.samples() > 0);
     person.rests_on("sphree");
     person.sees("mistake");
     person.rests_on("sphree");

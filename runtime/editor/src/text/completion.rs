@@ -8,6 +8,7 @@ use egui::{Rect, Ui};
 use super::edits::Change;
 use super::popup::{Answer, Choice, List};
 use crate::app::Editor;
+use crate::document::DocumentId;
 
 /// The list's name.
 const NAME: &str = "completions";
@@ -65,6 +66,53 @@ fn take(editor: &mut Editor, change: &Change) {
     editor.text.list = None;
     editor.text.wants_focus = true;
     editor.change(change);
+    editor.text.written_along = WrittenAlong::of(change, editor.session.active().id);
+}
+
+/// What a completion wrote behind its word, such as a bracket. Whoever types it all the same means
+/// that one.
+pub(super) struct WrittenAlong {
+    document: DocumentId,
+    /// Where the completion left the caret.
+    caret: usize,
+    letter: char,
+    /// Where the caret is once the letter is typed.
+    behind: usize,
+}
+
+impl WrittenAlong {
+    fn of(change: &Change, document: DocumentId) -> Option<Self> {
+        let [edit] = &change.edits[..] else { return None };
+        let along = edit.text.trim_start_matches(is_of_word).trim_start();
+        let letter = along.chars().next()?;
+        let next = along[letter.len_utf8()..].trim_start();
+        Some(Self { document, caret: change.caret, letter, behind: edit.range.start + edit.text.len() - next.len() })
+    }
+
+    /// Whether it is as it was when the completion was taken.
+    fn is_fresh(&self, editor: &Editor) -> bool {
+        let document = editor.session.active();
+        document.id == self.document && [document.anchor, document.caret] == [self.caret; 2]
+    }
+}
+
+/// Whether what is typed stands there already, because the completion that was just taken wrote it.
+/// Then the caret goes behind it.
+pub(super) fn is_typed_over(editor: &mut Editor, typed: &str) -> bool {
+    let Some(along) = editor.text.written_along.take().filter(|along| along.is_fresh(editor)) else { return false };
+    let is_typed_over = typed.chars().eq([along.letter]);
+    if is_typed_over {
+        editor.session.active_mut().place_caret(along.behind);
+    }
+    is_typed_over
+}
+
+/// Forgets what a completion wrote as soon as the caret went elsewhere.
+pub(super) fn forget_written(editor: &mut Editor) {
+    let is_fresh = editor.text.written_along.as_ref().is_some_and(|along| along.is_fresh(editor));
+    if !is_fresh {
+        editor.text.written_along = None;
+    }
 }
 
 fn choices(editor: &Editor, found: Completions) -> Vec<Choice> {
@@ -130,9 +178,12 @@ fn files(folder: &Path, written: &str) -> Vec<String> {
 
 /// The part of a word that stands before a place.
 fn word_before(text: &str, at: usize) -> &str {
-    let is_of_word = |letter: char| letter.is_alphanumeric() || matches!(letter, '_' | '$');
     let before = &text[..at];
     &before[before.trim_end_matches(is_of_word).len()..]
+}
+
+fn is_of_word(letter: char) -> bool {
+    letter.is_alphanumeric() || matches!(letter, '_' | '$')
 }
 
 #[cfg(test)]

@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
+use chiaro_compiler::syntax::Severity;
 use egui::layers::ShapeIdx;
 use egui::text_edit::TextEditOutput;
-use egui::{Painter, Rect, Shape, Stroke, Ui, pos2};
+use egui::{Painter, Rect, Shape, Stroke, StrokeKind, Ui, pos2};
 
 use super::colors::{self, Mark};
 use crate::app::Editor;
@@ -15,6 +16,8 @@ const FLASH: f64 = 0.8;
 const LEAST: f32 = 2.0;
 /// Half a wave of a squiggle, in points.
 const WAVE: f32 = 2.5;
+/// From one dot to the next, in points.
+const DOT: f32 = 3.0;
 
 /// A place behind the text, for what is known only when the text is laid out.
 pub(super) fn place(ui: &Ui) -> ShapeIdx {
@@ -32,14 +35,23 @@ pub(super) fn paint(editor: &mut Editor, ui: &Ui, output: &TextEditOutput, behin
                 Mark::Line => Rect::from_x_y_ranges(page.clip.x_range(), rect.y_range()),
                 _ => rect.expand2(egui::vec2(1.0, 0.0)),
             };
-            shapes.push(Shape::rect_filled(rect, if matches!(mark, Mark::Line) { 0.0 } else { 2.0 }, color));
+            shapes.push(match mark {
+                Mark::Line => Shape::rect_filled(rect, 0.0, color),
+                // Filled, it would be too bright for the words in it.
+                Mark::Flash => Shape::rect_stroke(rect, 2.0, Stroke::new(1.5, color), StrokeKind::Outside),
+                _ => Shape::rect_filled(rect, 2.0, color),
+            });
         }
     }
     ui.painter().set(behind, Shape::Vec(shapes));
+    let text = &editor.session.active().text;
     for message in &editor.text.messages.found {
         let stroke = Stroke::new(1.2, colors::of_severity(message.severity(), ui.visuals().dark_mode));
-        for rect in page.rects(editor, &message.range) {
-            squiggle(ui.painter(), rect, stroke);
+        for rect in page.rects(editor, &message.marked(text)) {
+            match message.severity() {
+                Severity::Note => dots(ui.painter(), rect, stroke),
+                Severity::Warning | Severity::Error => squiggle(ui.painter(), rect, stroke),
+            }
         }
     }
 }
@@ -107,6 +119,15 @@ fn solid(editor: &Editor) -> Option<Range<usize>> {
     let file = shown.sources.get(span.file);
     let document = editor.session.active();
     (file.name == document.name() && *file.text == *document.text).then(|| span.range())
+}
+
+/// A line of dots, for what is no fault.
+fn dots(painter: &Painter, rect: Rect, stroke: Stroke) {
+    let y = rect.bottom() - 1.0;
+    let count = ((rect.width() / DOT) as usize).clamp(2, 2000);
+    for at in 0..count {
+        painter.circle_filled(pos2(rect.left() + (at as f32 + 0.5) * DOT, y), 0.5 * stroke.width, stroke.color);
+    }
 }
 
 fn squiggle(painter: &Painter, rect: Rect, stroke: Stroke) {

@@ -40,6 +40,17 @@ impl Message {
         self.diagnostic.severity
     }
 
+    /// The part that is marked in the text. Of a note that is the first word: it is no fault, and a
+    /// statement which is right must not look like one.
+    pub(super) fn marked(&self, text: &str) -> Range<usize> {
+        let Some(part) = text.get(self.range.clone()).filter(|_| self.severity() == Severity::Note) else {
+            return self.range.clone();
+        };
+        let word = part.len() - part.trim_start_matches(|c: char| c.is_alphanumeric() || matches!(c, '_' | '$')).len();
+        let first = part.chars().next().map_or(0, char::len_utf8);
+        self.range.start..self.range.start + word.max(first)
+    }
+
     /// Whether it is about a byte, or about nothing but the place before it.
     pub(super) fn is_at(&self, at: usize) -> bool {
         self.range.start <= at && at < self.range.end.max(self.range.start + 1)
@@ -121,6 +132,17 @@ mod tests {
         assert_eq!(ranges("cube(1); spere(200);"), [(9, 14)]);
         assert_eq!(ranges("cube(1); sp0ere(2);"), [(9, 15)]);
         assert_eq!(ranges("cube(1"), []);
+    }
+
+    #[test]
+    fn a_note_marks_its_first_word_and_a_fault_all_of_it() {
+        let mut sources = Sources::default();
+        let text = "echo(version = version()); #cube(1);";
+        let file = sources.add(SourceFile::new("a.csg", text));
+        let marked = |diagnostic: Diagnostic| found(file, text, text, &[diagnostic]).remove(0).marked(text);
+        assert_eq!(marked(Diagnostic::note(Span::new(file, 0..25), "ECHO: version = 1")), 0..4);
+        assert_eq!(marked(Diagnostic::note(Span::new(file, 27..28), "highlighted")), 27..28);
+        assert_eq!(marked(Diagnostic::warning(Span::new(file, 0..25), "odd")), 0..25);
     }
 
     #[test]

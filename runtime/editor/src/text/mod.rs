@@ -39,6 +39,7 @@ pub(crate) struct TextPanel {
     around: around::Around,
     /// Completions or quick fixes to choose from.
     list: Option<popup::List>,
+    written_along: Option<completion::WrittenAlong>,
     hover: hover::Hovering,
     find: Option<find::Find>,
     /// The line to go to, as it is being typed.
@@ -64,6 +65,11 @@ impl TextPanel {
     /// Whether something that was typed has yet to be written into the text.
     pub(crate) fn is_behind(&self) -> bool {
         !self.aside.is_empty()
+    }
+
+    /// Whether nothing is offered.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.list.is_none()
     }
 }
 
@@ -115,10 +121,5 @@ impl TextPanel {
     /// Where a byte is on the page.
     pub(crate) fn place(&self, byte: usize) -> egui::Pos2 {
         self.layout.caret(byte).center()
-    }
-
-    /// Whether nothing is offered.
-    pub(crate) fn is_quiet(&self) -> bool {
-        self.list.is_none()
     }
 }

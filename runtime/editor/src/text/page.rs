@@ -34,6 +34,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui, was_typed: bool) {
     if was_typed || edited {
         completion::follow(editor, was_typed);
     }
+    completion::forget_written(editor);
     around::update(editor);
     let has_focus = output.response.has_focus();
     let origin = output.galley_pos.to_vec2();
@@ -69,7 +70,11 @@ pub(super) fn take_keys(editor: &mut Editor, ui: &Ui) -> bool {
     editor.text.aside = aside;
     for pressed in all_pressed {
         match pressed {
-            Pressed::Command(command) => editor.text_command(command),
+            Pressed::Command(command) => {
+                editor.text.written_along = None;
+                editor.text_command(command);
+            }
+            Pressed::Letter(text) if completion::is_typed_over(editor, &text) => {}
             Pressed::Letter(text) => {
                 let selected = editor.selected();
                 let change = selected.typed(&text).unwrap_or_else(|| Change::replacement(selected.range(), text));

@@ -61,7 +61,7 @@ pub(super) fn obstacle(editor: &Editor) -> Option<String> {
 
 /// Lets the pointer move handles. True if it is busy with one.
 pub(super) fn drag(editor: &mut Editor, ui: &Ui, response: &Response) -> bool {
-    let Some(view) = editor.viewport.drawn else { return false };
+    let Some(view) = editor.viewport.drawn() else { return false };
     let rect = response.rect;
     if response.drag_started() {
         let origin = ui.input(|input| input.pointer.press_origin());
@@ -176,7 +176,7 @@ fn pixels(rect: Rect) -> [u32; 2] {
 
 /// Paints the handles, or the one that is dragged with its value.
 pub(super) fn paint(editor: &Editor, ui: &Ui, painter: &Painter) {
-    let (Some(view), Some(rect)) = (editor.viewport.drawn, editor.viewport.rect) else { return };
+    let (Some(view), Some(rect)) = (editor.viewport.drawn(), editor.viewport.rect) else { return };
     if let Some(drag) = &editor.viewport.handle {
         let moved = drag.value - drag.number.value;
         let at = [0, 1, 2].map(|axis| drag.handle.at[axis] + moved * drag.handle.along[axis]);

@@ -1,5 +1,6 @@
 //! The picture, and how one looks at it.
 
+pub(crate) mod follow;
 mod handles;
 mod legend;
 mod navigation;
@@ -7,6 +8,7 @@ mod outline;
 mod overlay;
 mod picking;
 mod selection;
+mod sight;
 mod wipe;
 
 pub(crate) use overlay::{frame_selection, looks, views};
@@ -40,14 +42,18 @@ pub(crate) struct Viewport {
     outline: Option<TextureHandle>,
     /// What the outline is of.
     outlined: Option<Outlined>,
+    /// What `#` highlights, over the picture.
+    highlight: Option<TextureHandle>,
     legend: Option<chiaro_render::Legend>,
     /// Which text the view is of.
     document: Option<DocumentId>,
     pub(crate) eye: Eye,
-    /// From where the picture in the window is seen; none, if it is that of another text.
-    pub(crate) drawn: Option<View>,
-    pub(crate) samples: u32,
+    /// What the picture in the window shows; none, if it is that of another text.
+    seen: Option<sight::Seen>,
+    stance: follow::Stance,
     pub(crate) timings: Timings,
+    /// How the texts are looked at that were drawn before this one.
+    put_by: Vec<sight::Sight>,
     /// Where the picture is in the window.
     rect: Option<Rect>,
     pub(crate) look: Look,
@@ -75,12 +81,14 @@ impl Default for Viewport {
             other: None,
             outline: None,
             outlined: None,
+            highlight: None,
             legend: None,
             document: None,
             eye: Eye::Scene,
-            drawn: None,
-            samples: 0,
+            seen: None,
+            stance: follow::Stance::default(),
             timings: Timings::default(),
+            put_by: Vec::new(),
             rect: None,
             look: Look::Lit,
             plane: None,
@@ -98,6 +106,16 @@ impl Default for Viewport {
 }
 
 impl Viewport {
+    /// From where the picture in the window is seen; none, if it is that of another text.
+    pub(crate) fn drawn(&self) -> Option<View> {
+        self.seen.as_ref().map(|seen| seen.view)
+    }
+
+    /// The samples of the picture in the window.
+    pub(crate) fn samples(&self) -> u32 {
+        self.seen.as_ref().map_or(0, |seen| seen.samples)
+    }
+
     /// Looks so that all of the scene is seen, turned this way in OpenSCAD's degrees.
     pub(crate) fn frame_from(&mut self, rotation: [f64; 3]) {
         self.eye = Eye::Framed(rotation, self.field_of_view());
@@ -105,14 +123,14 @@ impl Viewport {
 
     /// Looks so that all of the scene is seen, turned as it is.
     pub(crate) fn frame_all(&mut self) {
-        match self.drawn {
+        match self.drawn() {
             Some(view) => self.frame_from(view.rotation),
             None => self.eye = Eye::Scene,
         }
     }
 
     fn field_of_view(&self) -> f64 {
-        self.drawn.map_or(navigation::PERSPECTIVE, |view| view.field_of_view)
+        self.drawn().map_or(navigation::PERSPECTIVE, |view| view.field_of_view)
     }
 
     /// Whether the outline in the picture is that of the selection.
@@ -126,7 +144,15 @@ impl Viewport {
             let [width, height] = frame.size;
             ColorImage::from_rgba_unmultiplied([width as usize, height as usize], rgba)
         };
-        put(&mut self.texture, ui, "picture", image(&frame.rgba));
+        let is_better = self.seen.as_ref().is_some_and(|seen| seen.is_better_than(&frame));
+        if !is_better {
+            if self.seen.is_none() {
+                // What is there is another text's, who may want it back.
+                self.texture = None;
+            }
+            put(&mut self.texture, ui, "picture", image(&frame.rgba));
+            self.seen = Some(sight::Seen::of(&frame));
+        }
         match &frame.other {
             Some(rgba) => put(&mut self.other, ui, "other picture", image(rgba)),
             None => self.other = None,
@@ -135,12 +161,15 @@ impl Viewport {
             Some((_, mask)) => put(&mut self.outline, ui, "outline", outline::image(mask)),
             None => self.outline = None,
         }
+        match &frame.highlight {
+            Some(rgba) => put(&mut self.highlight, ui, "highlight", image(rgba)),
+            None => self.highlight = None,
+        }
         self.outlined = frame.mask.map(|(outlined, _)| outlined);
-        (self.drawn, self.samples, self.timings, self.legend) =
-            (Some(frame.view), frame.samples, frame.timings, frame.legend);
+        (self.timings, self.legend) = (frame.timings, frame.legend);
         // While the text is edited the picture stands still, unless the scene has a camera of its own. (What was drawn for an
         // eye before this one says nothing.)
-        if keeps_view && frame.eye == self.eye {
+        if keeps_view && frame.wanted.eye == self.eye {
             self.eye = Eye::At(frame.view);
         }
     }
@@ -155,7 +184,11 @@ fn put(texture: &mut Option<TextureHandle>, ui: &Ui, name: &str, image: ColorIma
 
 /// Shows the picture and lets the user move it.
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
-    begin_with_new_text(editor);
+    let scene = editor.session.scene_document().id;
+    if editor.viewport.document != Some(scene) {
+        let documents = editor.session.documents();
+        editor.viewport.turn_to(scene, |id| documents.iter().any(|document| document.id == id));
+    }
     // (One of the text that was drawn before may come yet.)
     if let Some(frame) = editor.session.frame.take().filter(|frame| editor.session.is_of_scene(frame)) {
         // What begins empty is framed when there is something.
@@ -171,20 +204,10 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
         navigation::navigate(editor, ui, &response);
         picking::pick(editor, &response);
     }
+    follow::follow(editor, ui);
     want(editor, ui, rect.size());
     paint(editor, ui, rect);
     overlay::show(editor, ui, rect);
-}
-
-/// Another text is looked at anew. The picture of the one before stays until there is one.
-fn begin_with_new_text(editor: &mut Editor) {
-    let (document, viewport) = (editor.session.scene_document().id, &mut editor.viewport);
-    if viewport.document != Some(document) {
-        viewport.document = Some(document);
-        viewport.eye = Eye::Scene;
-        (viewport.drawn, viewport.selection, viewport.plane, viewport.legend) = (None, None, None, None);
-        (viewport.other, viewport.outline) = (None, None);
-    }
 }
 
 /// Whether the scene says from where it is seen.
@@ -212,20 +235,28 @@ fn want(editor: &mut Editor, ui: &Ui, size: Vec2) {
         samples: if editor.session.shown.is_some() { editor.settings.samples } else { 0 },
         moving: viewport.is_moving || viewport.handle.is_some() || editor.clock.is_running(),
         outlined: viewport.selection.as_ref().map(Selection::outlined),
+        highlighted: highlighted(editor),
     };
     editor.session.want(wanted);
+}
+
+/// What `#` highlights of the scene, once that is known. What isn't lit has colours of its own.
+fn highlighted(editor: &Editor) -> Option<Outlined> {
+    let provenance = editor.session.shown.as_ref()?.provenance.clone()?;
+    let solids = provenance.highlighted().to_vec();
+    (editor.viewport.look == Look::Lit && !solids.is_empty()).then_some(Outlined { provenance, solids })
 }
 
 fn paint(editor: &Editor, ui: &Ui, rect: Rect) {
     let (viewport, painter) = (&editor.viewport, ui.painter_at(rect));
     painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
     // A scene with errors that never showed has no picture, whatever was drawn before.
-    let has_picture = editor.session.shown.is_some() || !editor.session.has_errors();
+    let has_picture = viewport.seen.is_some() || !editor.session.has_errors();
     let Some(texture) = viewport.texture.as_ref().filter(|_| has_picture) else {
         return tell(ui, &painter, rect, nothing_yet(editor, ui));
     };
     painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
-    if viewport.drawn.is_none() {
+    if viewport.seen.is_none() {
         // What is seen is another text's: that has to be told as soon as somebody could wonder.
         if editor.session.waits_since().is_some_and(|since| since > SOON) {
             painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color.gamma_multiply(VEIL));
@@ -235,6 +266,9 @@ fn paint(editor: &Editor, ui: &Ui, rect: Rect) {
     }
     if let (Some(other), Some((_, part))) = (&viewport.other, viewport.compared) {
         wipe::paint(editor, &painter, rect, other, part);
+    }
+    if let Some(highlight) = &viewport.highlight {
+        painter.image(highlight.id(), rect, WHOLE, Color32::WHITE);
     }
     if let Some(outline) = viewport.outline.as_ref().filter(|_| viewport.is_outlined()) {
         painter.image(outline.id(), rect, WHOLE, Color32::WHITE);
@@ -260,10 +294,30 @@ fn tell(ui: &Ui, painter: &egui::Painter, rect: Rect, what: String) {
 
 #[cfg(test)]
 impl Viewport {
+    /// Whether something is highlighted in the picture.
+    pub(crate) fn is_highlighted(&self) -> bool {
+        self.highlight.is_some()
+    }
+
+    /// Where the picture is in the window.
+    pub(crate) fn place(&self) -> Rect {
+        self.rect.unwrap_or(Rect::NOTHING)
+    }
+
+    /// Whether a hint tells that the model's size changed.
+    pub(crate) fn is_off(&self) -> bool {
+        self.stance.is_off
+    }
+
+    /// Whether the picture in the window is the one that is wanted, and stays that.
+    pub(crate) fn is_settled(&self, wanted: &Wanted) -> bool {
+        self.stance.is_settled() && self.seen.as_ref().is_some_and(|seen| seen.is_wanted(wanted))
+    }
+
     /// Where a point of the scene is seen in the window.
     pub(crate) fn seen(&self, point: [f64; 3]) -> Option<egui::Pos2> {
         let rect = self.rect?;
-        let ([x, y], _) = self.drawn?.project(point, [rect.width() as u32, rect.height() as u32])?;
+        let ([x, y], _) = self.drawn()?.project(point, [rect.width() as u32, rect.height() as u32])?;
         Some(rect.min + egui::vec2(x as f32, y as f32))
     }
 

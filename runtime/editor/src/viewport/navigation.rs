@@ -19,7 +19,9 @@ pub(crate) const PARALLEL: f64 = 1.0;
 
 /// Moves the view as the pointer and the keys say.
 pub(super) fn navigate(editor: &mut Editor, ui: &Ui, response: &Response) {
-    let Some(view) = editor.viewport.drawn.map(|drawn| match editor.viewport.eye {
+    // Without a scene, a picture that was put by would stay as it is.
+    let is_shown = editor.session.shown.is_some();
+    let Some(view) = editor.viewport.drawn().filter(|_| is_shown).map(|drawn| match editor.viewport.eye {
         Eye::At(view) => view,
         Eye::Scene | Eye::Framed(..) => drawn,
     }) else {
@@ -36,6 +38,7 @@ pub(super) fn navigate(editor: &mut Editor, ui: &Ui, response: &Response) {
     editor.viewport.is_moving = response.dragged() || moved.is_some();
     if let Some(moved) = moved {
         editor.viewport.eye = Eye::At(moved);
+        editor.viewport.stance.choose();
     }
 }
 

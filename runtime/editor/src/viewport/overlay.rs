@@ -6,6 +6,7 @@ use egui::{Align2, Area, ComboBox, Frame, Id, Rect, Slider, Ui, vec2};
 
 use super::{handles, legend, navigation};
 use crate::app::Editor;
+use crate::command::Command;
 use crate::studio::{Eye, Look};
 use crate::theme::sign;
 
@@ -35,6 +36,9 @@ pub(super) fn show(editor: &mut Editor, ui: &Ui, rect: Rect) {
     });
     if let Some(shown) = editor.viewport.legend.clone() {
         floating(ui, "legend", Align2::RIGHT_TOP, rect, |ui| legend::show(ui, &shown));
+    }
+    if editor.viewport.stance.is_off {
+        floating(ui, "size hint", Align2::CENTER_BOTTOM, rect, |ui| size_hint(editor, ui));
     }
     if editor.viewport.selection.is_some() {
         floating(ui, "selection", Align2::LEFT_BOTTOM, rect, |ui| selection_chain(editor, ui));
@@ -82,7 +86,7 @@ pub(crate) fn views(editor: &mut Editor, ui: &mut Ui) {
         .checkbox(&mut is_parallel, "Orthographic")
         .on_hover_text("A lens of 1°: lines stay parallel to the eye")
         .changed()
-        && let Some(view) = viewport.drawn
+        && let Some(view) = viewport.drawn()
     {
         let field_of_view = if is_parallel { navigation::PARALLEL } else { navigation::PERSPECTIVE };
         viewport.eye = Eye::At(navigation::through(view, field_of_view));
@@ -94,7 +98,7 @@ pub(crate) fn views(editor: &mut Editor, ui: &mut Ui) {
 pub(crate) fn frame_selection(editor: &mut Editor) {
     let parameters = editor.session.parameters();
     let (Some(selection), Some(view), Some(rect)) =
-        (&editor.viewport.selection, editor.viewport.drawn, editor.viewport.rect)
+        (&editor.viewport.selection, editor.viewport.drawn(), editor.viewport.rect)
     else {
         return;
     };
@@ -103,6 +107,7 @@ pub(crate) fn frame_selection(editor: &mut Editor) {
     let camera = Eye::Framed(view.rotation, view.field_of_view).camera(&Default::default());
     let aspect = f64::from(rect.width() / rect.height().max(1.0));
     editor.viewport.eye = Eye::At(chiaro_render::View::framing(&camera, &parameters, &bounds, aspect));
+    editor.viewport.stance.choose();
 }
 
 fn look_menu(editor: &mut Editor, ui: &mut Ui) {
@@ -112,7 +117,7 @@ fn look_menu(editor: &mut Editor, ui: &mut Ui) {
 
 /// The choices of what to show.
 pub(crate) fn looks(editor: &mut Editor, ui: &mut Ui) {
-    let offset = editor.viewport.drawn.map_or(0.0, |view| view.target[1]);
+    let offset = editor.viewport.drawn().map_or(0.0, |view| view.target[1]);
     let plane = editor.viewport.plane.unwrap_or(Plane { normal: [0.0, 1.0, 0.0], offset });
     let looks = [
         Look::Lit,
@@ -203,6 +208,20 @@ pub(super) fn method_name(direct: Direct) -> &'static str {
         Direct::By(method) => method.name(),
         Direct::Sampled => "reference",
     }
+}
+
+/// Tells how to see a model whose size changed since the view was chosen.
+fn size_hint(editor: &mut Editor, ui: &mut Ui) {
+    ui.horizontal(|ui| {
+        ui.label("The model's size changed.");
+        let mut button = egui::Button::new(Command::FrameAll.name());
+        if let Some(shortcut) = Command::FrameAll.shortcut() {
+            button = button.shortcut_text(ui.ctx().format_shortcut(&shortcut));
+        }
+        if ui.add(button).clicked() {
+            editor.viewport.frame_all();
+        }
+    });
 }
 
 /// The selected expression and those around it: each can be chosen.

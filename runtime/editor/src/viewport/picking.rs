@@ -9,7 +9,7 @@ pub(super) fn pick(editor: &mut Editor, response: &Response) {
     if !response.clicked() {
         return;
     }
-    let (Some(pointer), Some(view)) = (response.interact_pointer_pos(), editor.viewport.drawn) else { return };
+    let (Some(pointer), Some(view)) = (response.interact_pointer_pos(), editor.viewport.drawn()) else { return };
     let Some(provenance) = editor.session.shown.as_ref().and_then(|shown| shown.provenance.clone()) else { return };
     let size = response.rect.size();
     let at = pointer - response.rect.min;

@@ -49,9 +49,15 @@ impl Form for Export {
         "Export"
     }
 
+    fn follow(&mut self, editor: &Editor) -> bool {
+        self.place.follow(editor)
+    }
+
     fn controls(&mut self, ui: &mut Ui) -> bool {
         let before = self.kind;
         Grid::new("export").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| {
+            self.place.show_scene(ui);
+            ui.end_row();
             ui.label("Format");
             self.kind.choose(ui);
             ui.end_row();
@@ -85,7 +91,7 @@ impl Form for Export {
                 Box::new(move |_| chiaro_files::write(&path, text.as_bytes()).map_err(|error| format!("{error:#}")))
             }
             Kind::Other(format) => {
-                let piece = Piece::of(&editor.session, editor.viewport.drawn, adapter)?;
+                let piece = Piece::of(&editor.session, editor.viewport.drawn(), adapter)?;
                 Box::new(move |progress| piece.export(format, &path, replaces, progress))
             }
         })

@@ -1,9 +1,9 @@
 //! A picture in progress, and perhaps its twin by another light algorithm.
 
 use chiaro_compiler::Scene;
-use chiaro_render::{Direct, Error, Floor, Lighting, Mask, Picture, View};
+use chiaro_render::{Direct, Error, Floor, Lighting, Picture, View};
 
-use super::super::{Outlined, Subject, Wanted};
+use super::super::{Subject, Wanted};
 
 /// Pictures of one size, with what they show.
 pub(crate) struct Canvas {
@@ -120,7 +120,7 @@ impl Canvas {
     }
 
     /// What it shows now; within a sample, what it showed before that.
-    pub(crate) fn picture(&mut self, mask: Option<(Outlined, Mask)>) -> Result<super::Picture, Error> {
+    pub(crate) fn picture(&mut self, over: super::Over) -> Result<super::Picture, Error> {
         let before = self.resolved.take().filter(|_| !self.is_even);
         let resolved = before.map_or_else(|| self.resolve(), Ok)?;
         let Resolved { rgba, other } = self.resolved.insert(resolved).clone();
@@ -129,7 +129,7 @@ impl Canvas {
             rgba,
             other,
             legend: None,
-            mask,
+            over,
             view: self.picture.view(),
             samples: self.samples(),
             took: self.picture.timings().sample,
