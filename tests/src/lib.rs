@@ -7,6 +7,7 @@
 //! committing it.
 
 pub mod expectations;
+pub mod likeness;
 pub mod sampling;
 pub mod world;
 
