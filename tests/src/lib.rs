@@ -6,6 +6,7 @@
 //! `CHIARO_BLESS=1 cargo test -p chiaro_tests` writes what came out into the expectations. Read the difference before
 //! committing it.
 
+pub mod corpus;
 pub mod expectations;
 pub mod likeness;
 pub mod sampling;
