@@ -9,9 +9,10 @@ use chiaro_compiler::solid::SolidKind;
 use chiaro_compiler::syntax::FileId;
 use chiaro_compiler::{Compilation, Options, Origin, Provenance, compile};
 use chiaro_render::{Gpu, Inspection, Inspector, Masker, Model, Plane, Preference, View};
+use chiaro_tests::MemoryWorld;
+use chiaro_tests::corpus::examples;
 use chiaro_tests::likeness::EXACT;
 use chiaro_tests::world::DiskWorld;
-use chiaro_tests::{MemoryWorld, scad_files, workspace};
 use image::RgbaImage;
 use kept::changed;
 
@@ -246,7 +247,7 @@ fn views_look_as_they_did() {
 
 #[test]
 fn what_made_a_surface_is_there_in_every_example() {
-    for path in scad_files(&workspace().join("examples_csg")) {
+    for path in examples() {
         let compilation = compile(&DiskWorld, &path.to_string_lossy(), &Options::default());
         let scene = compilation.scene.unwrap();
         let provenance = scene.provenance(&compilation.sources).unwrap();

@@ -3,14 +3,15 @@
 
 mod kept;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::OnceLock;
 
 use chiaro_compiler::{Options, Scene, compile, shader};
 use chiaro_render::{Gpu, Model, Picture, Preference, View};
+use chiaro_tests::corpus::examples;
 use chiaro_tests::likeness::SAMPLED;
+use chiaro_tests::workspace;
 use chiaro_tests::world::DiskWorld;
-use chiaro_tests::{scad_files, workspace};
 use image::RgbaImage;
 use kept::changed;
 
@@ -74,13 +75,6 @@ fn every_example_has_a_shader_and_something_to_see() {
         let seen = radiance.iter().zip(empty).filter(differs).count();
         assert!(seen > radiance.len() / 20, "{}: only {seen} pixels show something", path.display());
     }
-}
-
-/// All of our examples.
-fn examples() -> Vec<PathBuf> {
-    let examples = scad_files(&workspace().join("examples_csg"));
-    assert!(examples.len() >= 20, "our examples are not where they should be");
-    examples
 }
 
 fn compiled(path: &Path) -> Scene {

@@ -11,7 +11,7 @@ use chiaro_compiler::syntax::{Diagnostic, Sources};
 use chiaro_compiler::{Options, World, compile};
 use chiaro_tests::exported::exported;
 use chiaro_tests::world::DiskWorld;
-use chiaro_tests::{MemoryWorld, scad_files, workspace};
+use chiaro_tests::{MemoryWorld, corpus, workspace};
 use wgpu::util::DeviceExt;
 
 /// A scene to be exported.
@@ -26,7 +26,7 @@ pub(crate) struct Example {
 /// All scenes of the folder of examples, without those of the light suite.
 pub(crate) fn examples() -> Vec<Example> {
     let folder = workspace().join("examples_csg");
-    let files = scad_files(&folder).into_iter().filter(|path| path.parent() == Some(&folder));
+    let files = corpus::examples().into_iter().filter(|path| path.parent() == Some(&folder));
     files.map(|path| Example::compiled(&DiskWorld, &path.to_string_lossy())).collect()
 }
 
