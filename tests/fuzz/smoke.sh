@@ -2,18 +2,23 @@
 # Runs every fuzz target for a moment (or for the seconds given), from the scenes of the repository as seeds.
 set -euo pipefail
 cd "$(dirname "$0")"
-seconds=${1:-20}
+seconds=${1:-8}
 
 # The fuzzer's coverage flags are unstable; this lets the stable compiler take them.
 export RUSTC_BOOTSTRAP=1
 command -v cargo-fuzz >/dev/null || cargo install --quiet --locked cargo-fuzz
 
-for target in parser evaluator; do
+# Those that take a text start from scenes; the others make programs of their bytes.
+of_text=(parser format assist evaluator)
+of_bytes=(programs field live meshes exports)
+for target in "${of_text[@]}"; do
     mkdir -p "corpus/$target"
-    cp ../scenes/*/*.csg ../scenes/*.csg ../../examples_csg/*.csg "corpus/$target/" 2>/dev/null || true
+    cp ../scenes/*/*.csg ../../examples_csg/*.csg "corpus/$target/"
 done
-for target in parser evaluator field; do
+cargo fuzz build --fuzz-dir . --sanitizer none
+for target in "${of_text[@]}" "${of_bytes[@]}"; do
     echo "fuzzing $target for $seconds seconds"
     cargo fuzz run --fuzz-dir . --sanitizer none "$target" -- \
-        -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=4096 -verbosity=0
+        -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=4096 -verbosity=0 -print_final_stats=1 2>&1 |
+        sed -n '/^stat::number_of_executed_units/p; /^stat::/!p'
 done

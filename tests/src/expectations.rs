@@ -6,12 +6,14 @@
 //!   follow it: what the place itself shows, other places that explain it, and how to mend it.
 //! * `// Distance: [x, y, z] = value` is the signed distance there; ` with name = value, …` behind it moves live
 //!   parameters first.
-//! * `// Field: class, L = 1, bounds [x, y, z] .. [x, y, z]` are the facts about the whole scene.
+//! * `// Field: class, L = 1, bounds [x, y, z] .. [x, y, z]` are the facts about the whole scene, or `// Field: nothing`
+//!   if it is empty. Every scene that compiles has this line, so that no change makes fields looser unnoticed.
 //! * `// Parameters: name = default [least to greatest], …` are the live parameters.
 //! * `// Solid:` is followed by the solid tree, each line behind `// | `.
 //! * `// Lights:` is followed by the lights in the same way, and `// Camera:` by what the scene says of its view.
 //!
-//! Every diagnostic has to be expected. The rest is checked where it is written.
+//! Every diagnostic and the field's facts have to be expected. The rest is checked where it is written. A scene with an
+//! error has no facts, and none may be expected of it.
 //!
 //! Two kinds of lines are orders, not expectations: `// File: name.scad` begins another file, which the scene can use
 //! or include, and `// Facets: exact` (or `smooth`) sets the option.
@@ -25,24 +27,42 @@ use chiaro_compiler::{Compilation, Facets, Options, Scene, compile};
 
 use crate::MemoryWorld;
 
-/// How far a distance may be from the one that is written with a few digits.
+/// How far a number may be from the one that is written with a few digits.
 const TOLERANCE: f64 = 1e-4;
+
+/// The same as a part of the number, for great ones, which are written with all digits.
+const RELATIVE: f64 = 1e-9;
+
+/// Numbers from here on are written with an exponent.
+const GREAT: f64 = 1e9;
 
 /// The most characters of a text that are quoted.
 const LONGEST_QUOTE: usize = 40;
 
+/// What the facts about the whole scene are written as.
+const FIELD: &str = "// Field: ";
+
 /// What diagnostics are written as.
 const DIAGNOSTICS: [&str; 6] = ["// Error:", "// Warning:", "// Note:", "// Label:", "// See:", "// Hint:"];
+
+/// What a scene's text comes to, with its orders and other files.
+pub fn compiled(name: &str, text: &str) -> Compilation {
+    compiled_sections(name, text, &sections(name, text))
+}
+
+fn compiled_sections(name: &str, text: &str, sections: &[Section]) -> Compilation {
+    let mut world = MemoryWorld::default();
+    for section in sections {
+        // Diagnostics are comments and lines of their own: without them, spans are those of the bare text.
+        world = world.with(section.name, section.lines.join("\n"));
+    }
+    compile(&world, name, &Options { facets: facets(text), ..Options::default() })
+}
 
 /// The text with its expectations replaced by what comes out. It is unchanged if all of them hold.
 pub fn actual(name: &str, text: &str) -> String {
     let sections = sections(name, text);
-    let mut world = MemoryWorld::default();
-    for section in &sections {
-        // Diagnostics are comments and lines of their own: without them, spans are those of the bare text.
-        world = world.with(section.name, section.lines.join("\n"));
-    }
-    let compilation = compile(&world, name, &Options { facets: facets(text), ..Options::default() });
+    let compilation = compiled_sections(name, text, &sections);
     let mut found = Annotations::of(&compilation, &sections);
     let evaluator = compilation.scene.as_ref().map(|scene| (scene, Evaluator::new(&scene.graph, &scene.defaults())));
 
@@ -51,15 +71,30 @@ pub fn actual(name: &str, text: &str) -> String {
         out.extend(section.heading.map(|heading| format!("{heading}\n")));
         for (index, line) in section.lines.iter().enumerate() {
             out.push_str(&found.take(number, index));
-            match evaluator.as_ref().and_then(|(scene, evaluator)| checked(scene, evaluator, line)) {
-                Some(fact) => out.push_str(&fact),
+            match &evaluator {
+                Some((scene, evaluator)) => {
+                    out += &checked(scene, evaluator, line).unwrap_or_else(|| (*line).to_owned())
+                }
+                None if is_fact(line) => continue,
                 None => out.push_str(line),
             }
             out.push('\n');
         }
+        if let Some((scene, _)) = &evaluator
+            && number == 0
+            && !section.lines.iter().any(|line| line.starts_with(FIELD))
+        {
+            out += &(describe_field(scene) + "\n");
+        }
         out.push_str(&found.take(number, section.lines.len()));
     }
     out
+}
+
+/// Whether a line is an expectation that only a scene can meet.
+fn is_fact(line: &str) -> bool {
+    let starts = [FIELD, "// Distance: ", "// Parameters:"];
+    starts.iter().any(|start| line.starts_with(start)) || ["// Solid:", "// Lights:", "// Camera:"].contains(&line)
 }
 
 /// One of the files that a scene's text consists of, without the expectations of diagnostics.
@@ -169,8 +204,9 @@ fn checked(scene: &Scene, evaluator: &Evaluator, line: &str) -> Option<String> {
     if let Some(rest) = line.strip_prefix("// Distance: ") {
         return Some(checked_distance(scene, evaluator, line, rest));
     }
-    if line.starts_with("// Field: ") {
-        return Some(describe_field(scene));
+    if line.starts_with(FIELD) {
+        let actual = describe_field(scene);
+        return Some(if is_same(line, &actual) { line.to_owned() } else { actual });
     }
     if line.starts_with("// Parameters:") {
         return Some(describe_parameters(scene));
@@ -212,14 +248,30 @@ fn with_moved(scene: &Scene, moves: &str) -> Vec<f64> {
 }
 
 fn is_close(a: f64, b: f64) -> bool {
-    a == b || (a - b).abs() <= TOLERANCE
+    a == b || (a - b).abs() <= TOLERANCE.max(RELATIVE * a.abs())
+}
+
+/// Whether two lines have the same words, numbers taken as the same if they are close.
+fn is_same(a: &str, b: &str) -> bool {
+    let words = |line: &str| -> Vec<String> {
+        line.split([' ', ',', '[', ']']).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+    };
+    let is_same_word = |(a, b): (&String, &String)| match (a.parse(), b.parse()) {
+        (Ok(a), Ok(b)) => is_close(a, b),
+        _ => a == b,
+    };
+    let (a, b) = (words(a), words(b));
+    a.len() == b.len() && a.iter().zip(&b).all(is_same_word)
 }
 
 fn describe_field(scene: &Scene) -> String {
     let facts = scene.graph.facts[scene.graph.root.0 as usize];
+    if facts.bounds.is_empty() {
+        return format!("{FIELD}nothing");
+    }
     let corner = |point: [f64; 3]| point.map(rounded).join(", ");
     let (min, max) = (corner(facts.bounds.min), corner(facts.bounds.max));
-    format!("// Field: {:?}, L = {}, bounds [{min}] .. [{max}]", facts.class, rounded(facts.lipschitz))
+    format!("{FIELD}{:?}, L = {}, bounds [{min}] .. [{max}]", facts.class, rounded(facts.lipschitz))
 }
 
 fn describe_parameters(scene: &Scene) -> String {
@@ -241,8 +293,11 @@ fn numbers(text: &str) -> Vec<f64> {
     text.trim_matches(['[', ']', ' ']).split(',').filter_map(|number| number.trim().parse().ok()).collect()
 }
 
-/// With four decimals at most.
+/// With four decimals at most, or all digits and an exponent.
 fn rounded(value: f64) -> String {
+    if value.is_finite() && value.abs() >= GREAT {
+        return format!("{value:e}");
+    }
     let text = format!("{}", (value * 1e4).round() / 1e4);
     if text == "-0" { "0".to_owned() } else { text }
 }

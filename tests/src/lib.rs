@@ -6,7 +6,12 @@
 //! `CHIARO_BLESS=1 cargo test -p chiaro_tests` writes what came out into the expectations. Read the difference before
 //! committing it.
 
+pub mod claims;
+pub mod corpus;
 pub mod expectations;
+pub mod exported;
+pub mod likeness;
+pub mod programs;
 pub mod sampling;
 pub mod world;
 

@@ -168,8 +168,20 @@ fn twenty_thousand_shapes_are_drawn() {
     let model = Model::new(&gpu, &scene.graph, &[]).unwrap();
     assert_eq!(model.notes(&scene.graph), []);
     let picture = drawn(&gpu, &model, &scene.graph, [64, 48], 1);
-    let colors = picture.iter().filter(|pixel| (pixel[0] - pixel[2]).abs() > 0.05).count();
-    assert!(colors > picture.len() / 20, "{colors} of {} pixels have a colour", picture.len());
+    // The block of shapes fills most of the picture: everywhere there are colours, and of each kind some.
+    let is_colored = |pixel: &[f32; 4]| (pixel[0] - pixel[2]).abs() > 0.05;
+    let parts: Vec<usize> = picture.chunks(64 * 12).map(|rows| rows.iter().filter(|p| is_colored(p)).count()).collect();
+    assert!(parts.iter().all(|colored| *colored >= 50) && parts.iter().sum::<usize>() >= 780, "{parts:?}");
+    let kinds: [fn(&[f32; 4]) -> bool; 4] = [
+        |[r, g, b, _]| *r > 2.0 * g && *r > 2.0 * b,
+        |[r, g, b, _]| *g > 1.5 * r && *g > 1.5 * b,
+        |[r, g, b, _]| *b > 1.5 * r && *b > 1.5 * g,
+        |[r, g, b, _]| *r > 1.5 * b && *g > 1.5 * b,
+    ];
+    let counts = kinds.map(|is_kind| picture.iter().filter(|pixel| is_kind(pixel)).count());
+    assert!(counts.iter().all(|count| *count >= 50), "{counts:?}");
+    drop(gpu);
+    check_distances(&scene, &[], 300);
 }
 
 #[test]

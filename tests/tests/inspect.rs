@@ -1,6 +1,7 @@
 //! What a scene looks like other than lit, which pixels show which expression, and which expression a pixel shows.
 
-use std::path::Path;
+mod kept;
+
 use std::sync::OnceLock;
 
 use chiaro_compiler::field::Evaluator;
@@ -8,13 +9,12 @@ use chiaro_compiler::solid::SolidKind;
 use chiaro_compiler::syntax::FileId;
 use chiaro_compiler::{Compilation, Options, Origin, Provenance, compile};
 use chiaro_render::{Gpu, Inspection, Inspector, Masker, Model, Plane, Preference, View};
+use chiaro_tests::MemoryWorld;
+use chiaro_tests::corpus::examples;
+use chiaro_tests::likeness::EXACT;
 use chiaro_tests::world::DiskWorld;
-use chiaro_tests::{MemoryWorld, blessing, scad_files, workspace};
 use image::RgbaImage;
-
-/// How far a channel may be from the picture that is kept, as the square root of the mean square, in steps of 8 bits.
-/// There is no noise: what differs are pixels at edges, a few in a hundred on another adapter.
-const TOLERANCE: f64 = 6.0;
+use kept::changed;
 
 /// Straight from the front: x to the right, z upwards.
 const FRONT: [f64; 3] = [90.0, 0.0, 0.0];
@@ -83,20 +83,8 @@ impl Looked {
         let size = [96, 72];
         let drawing = self.inspector.draw(view, size, &inspection).unwrap();
         let drawn = RgbaImage::from_raw(size[0], size[1], drawing.pixels).unwrap();
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("pictures/inspect_{name}.png"));
-        let kept = image::open(&path).ok().map(|kept| kept.into_rgba8());
-        let deviation = kept.filter(|kept| kept.dimensions() == drawn.dimensions()).map(|kept| {
-            let squares = kept.as_raw().iter().zip(drawn.as_raw()).map(|(a, b)| f64::from(a.abs_diff(*b)).powi(2));
-            (squares.sum::<f64>() / drawn.as_raw().len() as f64).sqrt()
-        });
-        match deviation {
-            Some(deviation) if deviation <= TOLERANCE => {}
-            _ if blessing() => drawn.save(&path).unwrap(),
-            _ => {
-                let actual = std::env::temp_dir().join(format!("chiaro-inspect-{name}.png"));
-                drawn.save(&actual).unwrap();
-                panic!("{name} deviates by {deviation:?}; see {}; CHIARO_BLESS=1 accepts it", actual.display());
-            }
+        if let Some(changed) = changed(&format!("inspect_{name}"), &drawn, &EXACT) {
+            panic!("{changed}");
         }
     }
 }
@@ -259,7 +247,7 @@ fn views_look_as_they_did() {
 
 #[test]
 fn what_made_a_surface_is_there_in_every_example() {
-    for path in scad_files(&workspace().join("examples_csg")) {
+    for path in examples() {
         let compilation = compile(&DiskWorld, &path.to_string_lossy(), &Options::default());
         let scene = compilation.scene.unwrap();
         let provenance = scene.provenance(&compilation.sources).unwrap();

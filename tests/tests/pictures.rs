@@ -1,32 +1,25 @@
 //! Small pictures: of a few scenes, against the ones kept in `pictures/`; of every example, whether there is anything
 //! to see.
 
-use std::path::{Path, PathBuf};
+mod kept;
+
+use std::path::Path;
 use std::sync::OnceLock;
 
 use chiaro_compiler::{Options, Scene, compile, shader};
 use chiaro_render::{Gpu, Model, Picture, Preference, View};
+use chiaro_tests::corpus::examples;
+use chiaro_tests::likeness::SAMPLED;
+use chiaro_tests::workspace;
 use chiaro_tests::world::DiskWorld;
-use chiaro_tests::{blessing, scad_files, workspace};
 use image::RgbaImage;
+use kept::changed;
 
 /// The size of the pictures that are kept, in pixels.
 const SIZE: [u32; 2] = [96, 72];
 
 /// Samples of each pixel of the pictures that are kept.
-const SAMPLES: u32 = 12;
-
-/// How far a channel of a picture may be from the one that is kept, as the square root of the mean square over all
-/// pixels, in steps of 8 bits.
-///
-/// On one adapter, sampling is deterministic and pictures are equal. Drivers differ in the last bits of arithmetic, so
-/// that a ray near an edge goes elsewhere. This is an estimate, not a measurement on several drivers. If two pictures'
-/// noise were independent, a pixel would deviate by √2 σ / √n, where σ is that of one sample and n = 12. Take σ as 20
-/// steps inside of smooth surfaces (a light half hidden, of a surface half bright: 40 steps with probability 1/2) and
-/// as 100 at silhouettes, a tenth of such small pictures: √(0.9 · 20² + 0.1 · 100²) · √2 / √12 ≈ 15. But rays that are
-/// not near an edge go the same way on every adapter. Were one in ten to go elsewhere, the mean square would be a tenth
-/// of that: 15 / √10 ≈ 4.7. Rounding to 8 bits adds √(2 / 12) ≈ 0.4 at most.
-const TOLERANCE: f64 = 5.0;
+const SAMPLES: u32 = 24;
 
 /// The examples that are kept as pictures.
 const KEPT: [&str; 13] = [
@@ -47,30 +40,15 @@ const KEPT: [&str; 13] = [
 
 #[test]
 fn examples_look_as_they_did() {
-    let mut changed = Vec::new();
-    for name in KEPT {
-        let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("pictures/{name}.png"));
-        let scene = compiled(&workspace().join(format!("examples_csg/{name}.csg")));
-        let drawn = drawn(&scene, SIZE, SAMPLES).resolve().unwrap();
-        let drawn = RgbaImage::from_raw(SIZE[0], SIZE[1], drawn).unwrap();
-        if blessing() {
-            // What looks the same stays as it is, so that another adapter rewrites nothing.
-            if deviation_from(&kept, &drawn).is_none_or(|deviation| deviation > TOLERANCE) {
-                drawn.save(&kept).unwrap();
-            }
-            continue;
-        }
-        match deviation_from(&kept, &drawn) {
-            Some(deviation) if deviation <= TOLERANCE => {}
-            Some(deviation) => {
-                let actual = std::env::temp_dir().join(format!("chiaro-{name}.png"));
-                drawn.save(&actual).unwrap();
-                changed.push(format!("{name}: deviates by {deviation:.1} of 255; see {}", actual.display()));
-            }
-            None => changed.push(format!("{name}: there is no picture {}", kept.display())),
-        }
-    }
-    assert!(changed.is_empty(), "CHIARO_BLESS=1 accepts these pictures:\n{}", changed.join("\n"));
+    let changed: Vec<String> = KEPT
+        .iter()
+        .filter_map(|name| {
+            let scene = compiled(&workspace().join(format!("examples_csg/{name}.csg")));
+            let drawn = drawn(&scene, SIZE, SAMPLES).resolve().unwrap();
+            changed(name, &RgbaImage::from_raw(SIZE[0], SIZE[1], drawn).unwrap(), &SAMPLED)
+        })
+        .collect();
+    assert!(changed.is_empty(), "{}", changed.join("\n"));
 }
 
 #[test]
@@ -97,13 +75,6 @@ fn every_example_has_a_shader_and_something_to_see() {
         let seen = radiance.iter().zip(empty).filter(differs).count();
         assert!(seen > radiance.len() / 20, "{}: only {seen} pixels show something", path.display());
     }
-}
-
-/// All of our examples.
-fn examples() -> Vec<PathBuf> {
-    let examples = scad_files(&workspace().join("examples_csg"));
-    assert!(examples.len() >= 20, "our examples are not where they should be");
-    examples
 }
 
 fn compiled(path: &Path) -> Scene {
@@ -139,15 +110,4 @@ fn drawn_empty(size: [u32; 2]) -> &'static [[f32; 4]] {
         let scene = compile(&world, "empty.csg", &Options::default()).scene.unwrap();
         drawn(&scene, size, 1).hdr().unwrap()
     })
-}
-
-/// The square root of the mean square difference to a picture that is kept; none, if it is not.
-fn deviation_from(kept: &Path, drawn: &RgbaImage) -> Option<f64> {
-    let kept = image::open(kept).ok()?.into_rgba8();
-    if kept.dimensions() != drawn.dimensions() {
-        return None;
-    }
-    let squares = kept.as_raw().iter().zip(drawn.as_raw()).map(|(a, b)| f64::from(a.abs_diff(*b)).powi(2));
-    // The fourth channel is always full.
-    Some((squares.sum::<f64>() / (3 * kept.width() * kept.height()) as f64).sqrt())
 }

@@ -13,7 +13,9 @@ fn main() {
         let name = path.strip_prefix(&folder).unwrap_or(&path).display().to_string();
         Trial::test(name, move || check(&path))
     });
-    libtest_mimic::run(&arguments, trials.collect()).exit();
+    let trials: Vec<Trial> = trials.collect();
+    assert!(trials.len() >= 190, "only {} scenes are in {}", trials.len(), folder.display());
+    libtest_mimic::run(&arguments, trials).exit();
 }
 
 fn check(path: &Path) -> Result<(), Failed> {

@@ -3,8 +3,11 @@
 use std::fmt::Write;
 use std::fs;
 
+use chiaro_compiler::field::Evaluator;
+use chiaro_compiler::solid::Dimension;
 use chiaro_compiler::vocabulary::{Kind, Parameter, Row, Type, Unit, rows};
 use chiaro_compiler::{Options, compile};
+use chiaro_tests::sampling::{Random, sample_box};
 use chiaro_tests::{MemoryWorld, blessing, workspace};
 
 #[test]
@@ -20,13 +23,26 @@ fn the_manual_is_what_the_table_says() {
 
 #[test]
 fn every_example_of_the_manual_compiles_without_a_word() {
+    let mut shapes = 0;
     for row in modules(Kind::Solid).chain(modules(Kind::Plane)) {
         let world = MemoryWorld::of("example.csg", row.example);
         let compilation = compile(&world, "example.csg", &Options::default());
         let messages: Vec<&str> = compilation.diagnostics.iter().map(|report| report.message.as_str()).collect();
-        assert!(compilation.scene.is_some() && messages.is_empty(), "{}: {messages:?}", row.name);
-        assert!(!compilation.scene.unwrap().graph.facts.is_empty(), "{}: nothing is there", row.name);
+        let scene = compilation.scene.unwrap_or_else(|| panic!("{}: {messages:?}", row.name));
+        assert!(messages.is_empty(), "{}: {messages:?}", row.name);
+        let evaluator = Evaluator::new(&scene.graph, &scene.defaults());
+        let bounds = evaluator.bounds();
+        let is_finite = |axis| bounds.axis(axis).magnitude().is_finite();
+        assert!(!bounds.is_empty() && is_finite(0) && is_finite(1), "{}: {bounds:?}", row.name);
+        assert_eq!(is_finite(2), scene.dimension() == Some(Dimension::Space), "{}: {bounds:?}", row.name);
+        // There is an inside and an outside.
+        let mut random = Random::new(1);
+        let around = sample_box(&bounds);
+        let inside = (0..2_000).filter(|_| evaluator.distance(random.point(&around)) < 0.0).count();
+        assert!((10..=1_900).contains(&inside), "{}: {inside} of 2000 points are inside", row.name);
+        shapes += 1;
     }
+    assert!(shapes >= 21, "{shapes}");
 }
 
 fn manual() -> String {

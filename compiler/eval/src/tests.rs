@@ -4,7 +4,6 @@ mod language;
 mod limits;
 mod live;
 mod messages;
-mod random_programs;
 
 use std::collections::BTreeMap;
 

@@ -2,6 +2,9 @@
 
 mod common;
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
 use chiaro_vocabulary::cpu::Dual;
 use chiaro_vocabulary::rows::{self, rows};
 use chiaro_vocabulary::{Class, Interval, Kind, Row};
@@ -228,6 +231,12 @@ fn inside(row: &Row, p: &[f64], a: &[f64]) -> Option<bool> {
             let q = [across * angle.cos(), across * angle.sin()];
             (notch[0] - tip[0]) * (q[1] - tip[1]) - (notch[1] - tip[1]) * (q[0] - tip[0]) > 0.0
         }
+        "gyroid" => {
+            let wave_number = std::f64::consts::TAU / a[0];
+            let q = [p[0], p[1], z].map(|x| x * wave_number);
+            let wave: f64 = (0..3).map(|axis| q[axis].sin() * q[(axis + 1) % 3].cos()).sum();
+            wave.abs() < 0.5 * a[1] * wave_number * 3.0_f64.sqrt()
+        }
         "wedge" => (p[1].atan2(p[0]) - a[0]).rem_euclid(std::f64::consts::TAU) < a[1],
         _ => return None,
     })
@@ -235,13 +244,20 @@ fn inside(row: &Row, p: &[f64], a: &[f64]) -> Option<bool> {
 
 #[test]
 fn signs_are_right() {
+    // For each shape, how many points were found outside and inside.
+    let seen = RefCell::new(BTreeMap::<&str, [usize; 2]>::new());
     sample(|row, point, arguments| {
         let value: f64 = ask(row, point, arguments);
+        let inside = inside(row, point, arguments).unwrap_or_else(|| panic!("`inside` doesn't know {}", row.name));
         // The other definitions sample circles and segments: near the surface they may err.
-        if let Some(inside) = inside(row, point, arguments).filter(|_| value.abs() > 0.02) {
+        if value.abs() > 0.02 {
             assert_eq!(value < 0.0, inside, "{} {arguments:?} at {point:?}: {value}", row.name);
+            seen.borrow_mut().entry(row.name).or_default()[usize::from(inside)] += 1;
         }
     });
+    let seen = seen.into_inner();
+    assert_eq!(seen.len(), shapes().count());
+    assert!(seen.values().flatten().all(|count| *count >= 5), "{seen:?}");
 }
 
 #[test]

@@ -4,14 +4,14 @@ use std::io::Write;
 use std::process::Command;
 use std::sync::Arc;
 
-use chiaro_compiler::export::{self, Camera, Language, Target};
+use chiaro_compiler::export::{self, Language, Target};
 use chiaro_compiler::field::Graph;
-use chiaro_compiler::shader::Setting;
 use chiaro_compiler::solid::LiveParameter;
 use chiaro_compiler::syntax::{Diagnostic, Sources};
-use chiaro_compiler::{ModuleNames, Options, World, compile};
+use chiaro_compiler::{Options, World, compile};
+use chiaro_tests::exported::exported;
 use chiaro_tests::world::DiskWorld;
-use chiaro_tests::{MemoryWorld, scad_files, workspace};
+use chiaro_tests::{MemoryWorld, corpus, workspace};
 use wgpu::util::DeviceExt;
 
 /// A scene to be exported.
@@ -26,7 +26,7 @@ pub(crate) struct Example {
 /// All scenes of the folder of examples, without those of the light suite.
 pub(crate) fn examples() -> Vec<Example> {
     let folder = workspace().join("examples_csg");
-    let files = scad_files(&folder).into_iter().filter(|path| path.parent() == Some(&folder));
+    let files = corpus::examples().into_iter().filter(|path| path.parent() == Some(&folder));
     files.map(|path| Example::compiled(&DiskWorld, &path.to_string_lossy())).collect()
 }
 
@@ -55,35 +55,7 @@ impl Example {
 
     /// Its export.
     pub(crate) fn export(&self, target: Target) -> Result<Vec<export::File>, Diagnostic> {
-        let names = ModuleNames::new(&self.sources);
-        let root = &self.graph.facts[self.graph.root.0 as usize];
-        let bounds = chiaro_tests::sampling::sample_box(&root.bounds);
-        let setting = Setting {
-            lipschitz: root.lipschitz as f32,
-            epsilon: 1e-4,
-            bounds: [bounds.min, bounds.max].map(|corner| corner.map(|x| x as f32)),
-            floor: Some(bounds.min[2] as f32),
-            azimuth: [1.0, 0.0],
-            sky: None,
-            lights: Vec::new(),
-        };
-        let camera = Camera {
-            eye: [0.0, -200.0, 0.0],
-            target: [0.0; 3],
-            right: [1.0, 0.0, 0.0],
-            up: [0.0, 0.0, 1.0],
-            half_height: 0.2,
-            aspect: 4.0 / 3.0,
-        };
-        let scene = export::Scene {
-            title: &self.name,
-            graph: &self.graph,
-            parameters: &self.parameters,
-            names: &|span| names.of(span),
-            setting: &setting,
-            camera,
-        };
-        export::export(&scene, target)
+        exported(&self.name, &self.graph, &self.parameters, &self.sources, target)
     }
 
     /// The bytes of an export that is one file.

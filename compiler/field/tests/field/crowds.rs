@@ -99,6 +99,29 @@ fn members_that_differ_by_numbers_follow_one_pattern() {
     assert!(Crowds::of(&lower(&few).0).is_empty());
 }
 
+/// Each list is a part of the members, in rising order; each cube is of the grid or of one block; and each member is
+/// listed.
+fn assert_well_formed(cells: &Cells, count: usize) {
+    const BLOCK: usize = 64;
+    let grid: usize = cells.counts.iter().map(|count| *count as usize).product();
+    let (mut blocks, mut listed) = (Vec::new(), vec![false; count]);
+    for cell in &cells.cells {
+        match *cell {
+            Cell::Block(first) => blocks.push(first as usize),
+            Cell::List(first, last) => {
+                let list = &cells.members[first as usize..last as usize];
+                assert!(!list.is_empty() && list.is_sorted_by(|a, b| a < b), "{list:?}");
+                list.iter().for_each(|member| listed[*member as usize] = true);
+            }
+        }
+    }
+    blocks.sort_unstable();
+    let expected: Vec<usize> = (0..blocks.len()).map(|block| grid + BLOCK * block).collect();
+    assert_eq!(blocks, expected);
+    assert_eq!(cells.cells.len(), grid + BLOCK * blocks.len());
+    assert!(listed.iter().all(|is_listed| *is_listed));
+}
+
 #[test]
 fn room_is_kept() {
     let mut random = Random(13);
@@ -116,7 +139,7 @@ fn room_is_kept() {
             let some = least(&evaluator, crowd, cells.at(point).iter().map(|member| *member as usize), point);
             assert_eq!(some, least(&evaluator, crowd, 0..longest, point));
         }
-        assert!(cells.cells.iter().all(|cell| matches!(cell, Cell::Block(_) | Cell::List(..))));
+        assert_well_formed(&cells, longest);
     }
 }
 

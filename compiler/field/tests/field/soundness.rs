@@ -5,8 +5,21 @@ use chiaro_field::{Class, Evaluator, Graph, Node, NodeId, lower};
 use chiaro_solid::{ParameterId, Scalar};
 use chiaro_vocabulary::Interval;
 
+/// How much the tests looked at, since one that looks at nothing finds nothing.
+#[derive(Debug, Default)]
+struct Seen {
+    /// Graphs at certain values of their parameters, with something in them.
+    graphs: usize,
+    /// Of these, the ones with points inside.
+    entered: usize,
+    /// Of these, the ones whose class is better than a bound.
+    exact: usize,
+    /// Of these, the ones with slopes of half of what is claimed or more.
+    steep: usize,
+}
+
 /// The first claim of a graph that does not hold at some values of its parameters.
-fn broken(graph: &Graph, parameters: &[f64], random: &mut Random) -> Option<String> {
+fn broken(graph: &Graph, parameters: &[f64], random: &mut Random, seen: &mut Seen) -> Option<String> {
     const SLACK: f64 = 1e-6;
     let evaluator = Evaluator::new(graph, parameters);
     let facts = &graph.facts[graph.root.0 as usize];
@@ -18,8 +31,10 @@ fn broken(graph: &Graph, parameters: &[f64], random: &mut Random) -> Option<Stri
     let points: Vec<[f64; 3]> =
         (0..120).map(|i| random.point(if i % 3 == 0 { reach.min(8.0) } else { 1.4 * reach })).collect();
     let values: Vec<f64> = points.iter().map(|point| evaluator.distance(*point)).collect();
+    let mut steepest = 0.0_f64;
     for (p, f) in points.iter().zip(&values) {
         let dual = evaluator.gradient(*p);
+        steepest = steepest.max(dual.slope());
         let claims = [
             ("is finite", f.is_finite()),
             ("lies within the bounds", *f > -SLACK || facts.bounds.distance(*p) <= SLACK),
@@ -45,6 +60,10 @@ fn broken(graph: &Graph, parameters: &[f64], random: &mut Random) -> Option<Stri
             }
         }
     }
+    seen.graphs += 1;
+    seen.entered += usize::from(values.iter().any(|value| *value < 0.0));
+    seen.exact += usize::from(facts.class != Class::Bound);
+    seen.steep += usize::from(steepest >= 0.5 * lipschitz);
     None
 }
 
@@ -99,7 +118,7 @@ fn unpruned(graph: &Graph, evaluator: &Evaluator, point: [f64; 3]) -> f64 {
 
 #[test]
 fn constant_trees() {
-    let mut failures = Vec::new();
+    let (mut failures, mut seen) = (Vec::new(), Seen::default());
     for seed in 0..1500 {
         let mut random = Random(seed);
         let mut number = |random: &mut Random, least, most| Scalar::from(random.within(least, most));
@@ -109,15 +128,17 @@ fn constant_trees() {
         if diagnostics.iter().any(is_error) {
             continue;
         }
-        let what = broken(&graph, &[], &mut random).or_else(|| broken_inside(&graph, &[], &mut random));
+        let what = broken(&graph, &[], &mut random, &mut seen).or_else(|| broken_inside(&graph, &[], &mut random));
         failures.extend(what.map(|what| format!("seed {seed}: {what}")));
     }
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+    assert!(seen.graphs >= 1_450 && seen.entered >= 1_100, "{seen:?}");
+    assert!(seen.exact >= 450 && seen.steep >= 1_400, "{seen:?}");
 }
 
 #[test]
 fn live_trees() {
-    let mut failures = Vec::new();
+    let (mut failures, mut seen) = (Vec::new(), Seen::default());
     for seed in 0..700 {
         let mut random = Random(seed ^ 0xabcd_ef00);
         let mut ranges: Vec<Interval> = Vec::new();
@@ -138,10 +159,13 @@ fn live_trees() {
         }
         for _ in 0..3 {
             let parameters: Vec<f64> = ranges.iter().map(|range| random.within(range.min, range.max)).collect();
-            failures.extend(broken(&graph, &parameters, &mut random).map(|what| format!("seed {seed}: {what}")));
+            let what = broken(&graph, &parameters, &mut random, &mut seen);
+            failures.extend(what.map(|what| format!("seed {seed}: {what}")));
         }
     }
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+    assert!(seen.graphs >= 2_000 && seen.entered >= 1_600, "{seen:?}");
+    assert!(seen.exact >= 680 && seen.steep >= 2_000, "{seen:?}");
 }
 
 #[test]
