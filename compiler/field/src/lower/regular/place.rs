@@ -15,7 +15,7 @@ pub(super) const SAME: f64 = 1e-9;
 /// A map with a constant linear part.
 #[derive(Clone, Debug)]
 pub(super) struct Map {
-    linear: matrix::Linear,
+    linear: [Vec3; 3],
     shift: [Linear; 3],
 }
 
