@@ -39,9 +39,9 @@ fn sign(text: &str, at: usize, c: char) -> Option<String> {
     }
 }
 
-/// The same for the name of a file, which is one line.
-pub(crate) fn shown_name(name: &str) -> String {
-    shown(name).replace(['\n', '\r', '\t'], "␤")
+/// The same in one line: for what may hold the names of files, which could look like messages of ours.
+pub(crate) fn shown_line(text: &str) -> String {
+    shown(text).replace(['\n', '\r'], "␤").replace('\t', "␉")
 }
 
 /// JSON that says the same, but in which what a terminal would obey is escaped.
@@ -78,7 +78,7 @@ mod tests {
         assert_eq!(shown("é\tb\r\nc\r"), "é\tb\r\nc\r");
         let text = "é\rb\u{1b}c";
         assert_eq!(["b", "c"].map(|c| shown_place(text, text.find(c).unwrap())), [5, 9]);
-        assert_eq!(shown_name("a\nerror: b.csg"), "a␤error: b.csg");
+        assert_eq!(shown_line("a\nerror: b.csg"), "a␤error: b.csg");
     }
 
     #[test]

@@ -20,9 +20,9 @@ pub(crate) fn watch() {
     });
 }
 
-/// The signals that are ignored, each a bit, as Linux tells them.
+/// The signals that are ignored, each a bit, as Linux tells them. Elsewhere nobody tells, and the one that `nohup` ignores may be.
 fn ignored() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0)
+    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(1 << (SIGHUP - 1))
 }

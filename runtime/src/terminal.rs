@@ -13,7 +13,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
 use crate::arguments::{Global, MessageFormat};
-use crate::shown::{escaped, shown, shown_name, shown_place};
+use crate::shown::{escaped, shown, shown_line, shown_place};
 
 /// What stands for standard input and output on the command line.
 pub(crate) const STANDARD: &str = "-";
@@ -31,7 +31,7 @@ pub(crate) fn report(sources: &Sources, diagnostics: &[syntax::Diagnostic], glob
 pub(crate) fn fail(error: &anyhow::Error, format: MessageFormat) {
     // Standard error is the last place to complain to: if it is closed, nobody listens.
     let _ = match format {
-        MessageFormat::Human => writeln!(stderr(), "error: {}", shown(&format!("{error:#}"))),
+        MessageFormat::Human => writeln!(stderr(), "error: {}", shown_line(&format!("{error:#}"))),
         MessageFormat::Json => {
             let object = json!({ "severity": "error", "message": format!("{error:#}") });
             writeln!(stderr(), "{}", escaped(&object.to_string()))
@@ -42,7 +42,7 @@ pub(crate) fn fail(error: &anyhow::Error, format: MessageFormat) {
 /// Writes a line to standard error for people, unless they asked for quiet.
 pub(crate) fn note(global: &Global, text: &str) {
     if !global.quiet && global.message_format == MessageFormat::Human {
-        let _ = writeln!(stderr(), "{}", shown(text));
+        let _ = writeln!(stderr(), "{}", shown_line(text));
     }
 }
 
@@ -59,7 +59,7 @@ pub(crate) fn progress(global: &Global, steps: u64, what: &str) -> ProgressBar {
 fn write_human<'a>(sources: &Sources, diagnostics: impl Iterator<Item = &'a syntax::Diagnostic>) -> Result<()> {
     let mut files = SimpleFiles::new();
     for (_, file) in sources.iter() {
-        files.add(shown_name(&file.name), shown(&file.text));
+        files.add(shown_line(&file.name), shown(&file.text));
     }
     let mut writer = termcolor::StandardStream::stderr(if stderr().is_terminal() {
         termcolor::ColorChoice::Auto
@@ -122,7 +122,7 @@ fn is_in_wide_line(sources: &Sources, span: Span) -> bool {
 fn named_place(sources: &Sources, span: Span, message: &str) -> String {
     let file = sources.get(span.file);
     let (line, column) = file.line_column(span.start);
-    let place = format!("at {}:{line}:{column}", shown_name(&file.name));
+    let place = format!("at {}:{line}:{column}", shown_line(&file.name));
     if !may_be_quoted(file) {
         return format!("{place}: {message}").trim_end_matches(": ").to_owned();
     }

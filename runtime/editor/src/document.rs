@@ -154,8 +154,7 @@ impl Document {
 
 /// Reads a text. Bytes that are no UTF-8 are an error: saving would change them.
 fn read(path: &Path) -> Result<String, String> {
-    use chiaro_compiler::World;
-    let bytes = chiaro_files::FileWorld::new().read(&path.to_string_lossy())?;
+    let bytes = chiaro_files::FileWorld::new().read_file(path)?;
     String::from_utf8(bytes).map_err(|_| "it is no text in UTF-8".to_owned())
 }
 

@@ -24,7 +24,7 @@ pub struct Batch {
 impl Batch {
     /// Writes `bytes`, which are to become the file at `path`.
     pub fn write(&mut self, path: &Path, bytes: &[u8]) -> Result<()> {
-        self.stage(path, bytes).map_err(in_words).with_context(|| failure(path))
+        said(path, self.stage(path, bytes))
     }
 
     fn stage(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
@@ -41,20 +41,18 @@ impl Batch {
 
     /// Puts all of them in their places.
     pub fn finish(self) -> Result<()> {
-        Temporary::settle(self.whole).map_err(|(place, error)| (failure(&place), error)).or_else(said)?;
+        Temporary::settle(self.whole).or_else(|(place, error)| said(&place, Err(error)))?;
         for (place, bytes, room) in self.over {
             drop(room);
-            write_over(&place, &bytes).map_err(|error| (failure(&place), error)).or_else(said)?;
+            said(&place, write_over(&place, &bytes))?;
         }
-        for (place, bytes) in self.streams {
-            write_to_stream(&place, &bytes).map_err(|error| (failure(&place), error)).or_else(said)?;
-        }
-        Ok(())
+        self.streams.iter().try_for_each(|(place, bytes)| said(place, write_to_stream(place, bytes)))
     }
 }
 
-fn said<T>((failure, error): (String, io::Error)) -> Result<T> {
-    Err(in_words(error)).context(failure)
+/// What came of writing to a path, with an error in words that names it.
+fn said<T>(path: &Path, result: io::Result<T>) -> Result<T> {
+    result.map_err(in_words).with_context(|| format!("cannot write {}", path.display()))
 }
 
 /// Writes `bytes` to `path`: into a temporary file beside it, which then takes its place.
@@ -74,30 +72,25 @@ pub fn write_all(files: &[(&Path, &[u8])]) -> Result<()> {
 
 /// Writes files that are all in one folder. Where there is no folder yet, it appears with all of them in it.
 pub fn write_folder(folder: &Path, files: &[(&Path, &[u8])]) -> Result<()> {
-    let place = followed(folder).with_context(|| failure(folder))?;
+    let place = said(folder, followed(folder))?;
     if place.is_dir() {
         let mut folders = Folders::default();
-        for around in files.iter().filter_map(|(path, _)| path.parent()) {
-            folders.make(around).map_err(in_words).with_context(|| failure(around))?;
-        }
+        files.iter().map(|(path, _)| around(path)).try_for_each(|folder| said(folder, folders.make(folder)))?;
         return write_all(files);
     }
-    let staged = Temporary::folder_in(around(&place)).map_err(in_words).with_context(|| failure(folder))?;
+    let staged = said(folder, Temporary::folder_in(around(&place)))?;
     for (path, bytes) in files {
         let place = staged.path().join(path.strip_prefix(folder).unwrap_or(path));
-        let written = fs::create_dir_all(around(&place)).and_then(|()| {
-            let mut file = OpenOptions::new().write(true).create_new(true).open(&place)?;
-            file.write_all(bytes)?;
-            file.sync_all()
-        });
-        written.map_err(in_words).with_context(|| failure(path))?;
+        said(path, fs::create_dir_all(around(&place)).and_then(|()| write_new(&place, bytes)))?;
     }
-    make_folder_readable(staged.path()).with_context(|| failure(folder))?;
-    Temporary::settle(vec![(staged, place)]).map_err(|(_, error)| (failure(folder), error)).or_else(said)
+    said(folder, make_folder_readable(staged.path()))?;
+    Temporary::settle(vec![(staged, place)]).or_else(|(_, error)| said(folder, Err(error)))
 }
 
-fn failure(path: &Path) -> String {
-    format!("cannot write {}", path.display())
+fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
+    file.write_all(bytes)?;
+    file.sync_all()
 }
 
 /// An error of the system's in words. It comes with the path that was meant, and tells no other one.
