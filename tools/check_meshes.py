@@ -1,6 +1,7 @@
 """Checks the meshes of scenes with trimesh and OpenSCAD; see check_meshes.sh, which runs it."""
 
 import json
+import math
 import os
 import re
 import subprocess
@@ -16,10 +17,11 @@ CHIARO = os.environ.get("CHIARO", "target/release/chiaro")
 
 
 def load(path):
-    """The mesh in a file as one surface, with what materials and colours split joined again."""
-    mesh = trimesh.load(path, force="mesh", process=False)
-    mesh = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False)
-    mesh.merge_vertices(digits_vertex=9)
+    """The mesh in a file as one surface, with what materials and colours split joined again: as trimesh joins vertices by
+    default, and those nearer to each other than a millionth of the size."""
+    mesh = trimesh.load(path, force="mesh", process=True)
+    mesh = trimesh.Trimesh(mesh.vertices, mesh.faces, process=True)
+    mesh.merge_vertices(digits_vertex=math.ceil(6 - math.log10(mesh.scale)))
     return mesh
 
 

@@ -55,7 +55,8 @@ def chromium():
 
 def page_of(browser):
     """A page as large as the pictures that are compared."""
-    page = browser.new_page(viewport={"width": WIDTH, "height": HEIGHT})
+    # Clocks stand still, so that pictures are those of the scene's defaults.
+    page = browser.new_page(viewport={"width": WIDTH, "height": HEIGHT}, reduced_motion="reduce")
     page.add_init_script(WATCH)
     return page
 

@@ -13,6 +13,9 @@ const WGSL_LIBRARY: &str = include_str!("../packages/languages/library.wgsl");
 const WGSL_PROGRAM: &str = include_str!("../packages/languages/program.wgsl");
 const GLSL_LIBRARY: &str = include_str!("../packages/languages/library.glsl");
 const GLSL_PROGRAM: &str = include_str!("../packages/languages/program.glsl");
+/// Uniforms in blocks, as Vulkan demands.
+const GLSL_450_LIBRARY: &str = include_str!("../packages/languages/library_450.glsl");
+const GLSL_450_PROGRAM: &str = include_str!("../packages/languages/program_450.glsl");
 const HLSL_LIBRARY: &str = include_str!("../packages/languages/library.hlsl");
 const HLSL_PROGRAM: &str = include_str!("../packages/languages/program.hlsl");
 const METAL_LIBRARY: &str = include_str!("../packages/languages/library.metal");
@@ -23,7 +26,8 @@ pub(crate) fn library(scene: &Scene, language: Language) -> Result<Vec<File>, Di
     let text = scene.library()?;
     let template = match language {
         Language::Wgsl => WGSL_LIBRARY,
-        Language::Glsl330 | Language::Glsl450 | Language::GlslEs300 => GLSL_LIBRARY,
+        Language::Glsl330 | Language::GlslEs300 => GLSL_LIBRARY,
+        Language::Glsl450 => GLSL_450_LIBRARY,
         Language::Hlsl => HLSL_LIBRARY,
         Language::Metal => METAL_LIBRARY,
         Language::SpirV => {
@@ -40,12 +44,12 @@ pub(crate) fn program(scene: &Scene, language: Language) -> Result<Vec<File>, Di
     match language {
         Language::Wgsl => Ok(File::alone(filled(scene, &text, language, WGSL_PROGRAM)?)),
         Language::Glsl330 | Language::Glsl450 | Language::GlslEs300 => {
-            let version = match language {
-                Language::Glsl330 => "#version 330 core\n",
-                Language::Glsl450 => "#version 450 core\n",
-                _ => "#version 300 es\nprecision highp float;\nprecision highp int;\n",
+            let (version, template) = match language {
+                Language::Glsl330 => ("#version 330 core\n", GLSL_PROGRAM),
+                Language::Glsl450 => ("#version 450 core\n", GLSL_450_PROGRAM),
+                _ => ("#version 300 es\nprecision highp float;\nprecision highp int;\n", GLSL_PROGRAM),
             };
-            Ok(File::alone(version.to_owned() + &filled(scene, &text, language, GLSL_PROGRAM)?))
+            Ok(File::alone(version.to_owned() + &filled(scene, &text, language, template)?))
         }
         Language::Hlsl => Ok(File::alone(filled(scene, &text, language, HLSL_PROGRAM)?)),
         Language::Metal => Ok(File::alone(filled(scene, &text, language, METAL_PROGRAM)?)),

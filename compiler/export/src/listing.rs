@@ -34,11 +34,16 @@ fn written(source: &Source, language: Language) -> Result<String, Diagnostic> {
         Language::Metal => (Dialect::Metal, Parameters::Passed),
     };
     let text = translate(&wgsl, dialect, parameters).map_err(|error| Diagnostic::error(None, error.to_string()))?;
+    let members = |before: &str| -> String {
+        source.parameters.iter().map(|own| format!("{before}float {};\n", own.name)).collect()
+    };
     let declared = match parameters {
-        Parameters::Variables(_) => {
-            source.parameters.iter().map(|own| format!("uniform float {};\n", own.name)).collect()
-        }
         Parameters::Passed => String::new(),
+        _ if source.parameters.is_empty() => String::new(),
+        _ if language == Language::Glsl450 => {
+            format!("layout(std140, binding = 0) uniform Parameters {{\n{}}};\n", members("    "))
+        }
+        Parameters::Variables(_) => members("uniform "),
     };
     Ok(if declared.is_empty() { text } else { declared + "\n" + &text })
 }

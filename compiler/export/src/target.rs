@@ -22,6 +22,7 @@ pub enum Target {
 pub enum Language {
     Wgsl,
     Glsl330,
+    /// For Vulkan as for OpenGL 4.5: uniforms are in blocks.
     Glsl450,
     GlslEs300,
     /// Shader model 5 and later.
@@ -76,6 +77,9 @@ impl File {
 
 /// The files of an export. An error tells what the target can't express.
 pub fn export(scene: &Scene, target: Target) -> Result<Vec<File>, Diagnostic> {
+    if scene.graph.facts[scene.graph.root.0 as usize].bounds.is_empty() {
+        return Err(Diagnostic::error(None, "the scene is empty: there is nothing to export"));
+    }
     match target {
         Target::Library(language) => languages::library(scene, language),
         Target::Program(language) => languages::program(scene, language),

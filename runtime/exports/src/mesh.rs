@@ -25,7 +25,9 @@ pub fn mesh_files(model: &Model, format: MeshFormat, path: &Path) -> Vec<File> {
     match format {
         MeshFormat::Stl => vec![File::new(path, write::stl(&model.mesh))],
         MeshFormat::Ply => vec![File::new(path, write::ply(model))],
-        MeshFormat::ThreeMf => vec![File::new(path, write::threemf(model))],
+        MeshFormat::ThreeMf => {
+            vec![File::new(path, write::threemf(model, &path.file_stem().unwrap_or_default().to_string_lossy()))]
+        }
         MeshFormat::Glb => vec![File::new(path, write::glb(model))],
         MeshFormat::Obj => {
             let materials = name_beside(path, "mtl", "#\\");

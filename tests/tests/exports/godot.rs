@@ -39,6 +39,22 @@ fn nothing_hides_a_live_number() {
     }
 }
 
+/// A scene that is copied into a folder of a project finds what is beside it: what it names is relative to it.
+#[test]
+fn scenes_name_files_beside_them() {
+    let example = Example::of("ball.csg", "r = 10; // [5:20]\nsphere(r);");
+    for package in [Package::Godot4, Package::Godot3] {
+        let files = example.export(Target::Package(package)).unwrap();
+        for kind in ["solid", "picture"] {
+            let scene = text_at(&files, &format!("_{kind}.tscn"));
+            let mut resources = scene.lines().filter(|line| line.starts_with("[ext_resource"));
+            let named = |line: &str| line.split_once(" path=\"")?.1.split_once('"').map(|(path, _)| path.to_owned());
+            assert!(resources.all(|line| named(line).is_some_and(|path| files.iter().any(|file| file.path == path))));
+            assert!(!scene.contains("res://") && scene.contains("[ext_resource"), "{scene}");
+        }
+    }
+}
+
 #[test]
 fn vertices_move_where_godot_looks_shadows_up_at_what_they_span() {
     let files = Example::of("ball.csg", "sphere(10);").export(Target::Package(Package::Godot4)).unwrap();

@@ -30,12 +30,27 @@ fn glslang_accepts_every_program() {
             let stage = if language == Language::Hlsl { Stage::HlslPixel } else { Stage::Fragment };
             compiled_by_glslang(&example.name, &text, stage);
         }
+        compiled_as_vulkan_and_opengl(&example);
+        compiled_by_glslang(&example.name, &example.text(Target::Package(Package::GlslViewer)), Stage::Fragment);
         let image = example.text(Target::Package(Package::Shadertoy));
         let page = "#version 300 es\nprecision highp float;\nprecision highp int;\nuniform vec3 iResolution;\n\
                     uniform float iTime;\nuniform vec4 iMouse;\nout vec4 pixel;\n";
         let main = "\nvoid main() { mainImage(pixel, gl_FragCoord.xy); }\n";
         compiled_by_glslang(&example.name, &format!("{page}{image}{main}"), Stage::Fragment);
     }
+}
+
+/// GLSL 4.50 is for both, as a program and as a library that is bound elsewhere.
+fn compiled_as_vulkan_and_opengl(example: &Example) {
+    let program = example.text(Target::Program(Language::Glsl450));
+    compiled_by_glslang(&example.name, &program, Stage::Fragment);
+    validated(&example.name, &compiled_by_glslang(&example.name, &program, Stage::Vulkan));
+    let library = example.text(Target::Library(Language::Glsl450));
+    let main = "layout(location = 0) out vec4 pixel;\n\
+                void main() { pixel = scene_surface(vec3(0.0)).color * scene_distance(scene_gradient(vec3(0.0), 1.0)); }\n";
+    let place = "#define PARAMETERS_PLACE set = 1, binding = 2\n";
+    compiled_by_glslang(&example.name, &["#version 450\n", &library, main].concat(), Stage::Fragment);
+    compiled_by_glslang(&example.name, &["#version 450\n", place, &library, main].concat(), Stage::Vulkan);
 }
 
 #[test]
@@ -144,11 +159,40 @@ fn what_a_target_cannot_express_is_an_error() {
 }
 
 #[test]
+fn an_empty_scene_is_an_error() {
+    for text in ["", "union() { }", "intersection() { cube(3); translate([9, 0, 0]) cube(3); }", "sun();"] {
+        let example = Example::of("empty.csg", text);
+        for target in [
+            Target::Library(Language::Glsl330),
+            Target::Program(Language::SpirV),
+            Target::Package(Package::Shadertoy),
+            Target::Package(Package::Blender),
+        ] {
+            assert!(example.export(target).unwrap_err().message.starts_with("the scene is empty"), "{text}");
+        }
+    }
+}
+
+#[test]
+fn glsl_viewer_and_programs_begin_with_their_version() {
+    // glslViewer takes another version unless these are the very first characters.
+    let example = Example::of("cube.csg", "cube(3);");
+    for (target, version) in [
+        (Target::Package(Package::GlslViewer), "#version 330\n"),
+        (Target::Program(Language::Glsl330), "#version 330 core\n"),
+        (Target::Program(Language::Glsl450), "#version 450 core\n"),
+        (Target::Program(Language::GlslEs300), "#version 300 es\n"),
+    ] {
+        assert!(example.text(target).starts_with(version), "{target:?}");
+    }
+}
+
+#[test]
 fn parameters_may_have_the_names_of_words_of_languages() {
     // Words of WGSL, of GLSL, of HLSL, of all of them; and what the code around the scene calls its own values.
     let names = [
         "const", "fn", "self", "where", "float", "void", "ivec3", "volatile", "modf", "half4x4", "mul", "saturate",
-        "int", "texture", "hit", "sky", "radiance", "dyn",
+        "int", "texture", "sampler", "hit", "sky", "radiance", "dyn",
     ];
     let mut scene: String = names.iter().map(|name| format!("{name} = 5; // [1:10]\n")).collect();
     for (place, name) in names.iter().enumerate() {
@@ -159,7 +203,8 @@ fn parameters_may_have_the_names_of_words_of_languages() {
     let glsl = [
         (example.text(Target::Program(Language::GlslEs300)), Stage::Fragment),
         (example.text(Target::Program(Language::Hlsl)), Stage::HlslPixel),
-        ("#version 330 core\n".to_owned() + &example.text(Target::Package(Package::GlslViewer)), Stage::Fragment),
+        (example.text(Target::Program(Language::Glsl450)), Stage::Vulkan),
+        (example.text(Target::Package(Package::GlslViewer)), Stage::Fragment),
     ];
     for (text, stage) in glsl {
         compiled_by_glslang("words", &text, stage);

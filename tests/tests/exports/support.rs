@@ -82,12 +82,14 @@ pub(crate) fn text_at(files: &[export::File], ending: &str) -> String {
 #[derive(Clone, Copy)]
 pub(crate) enum Stage {
     Fragment,
+    /// A fragment shader for Vulkan.
+    Vulkan,
     Compute,
     HlslPixel,
     HlslCompute,
 }
 
-/// The SPIR-V that glslang makes of a text; for OpenGL's languages nothing, if there is no error.
+/// The SPIR-V that glslang makes of a text; for OpenGL's languages nothing, if there is no error. A warning counts as an error.
 pub(crate) fn compiled_by_glslang(name: &str, text: &str, stage: Stage) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let (input, output) = (folder.path().join("shader"), folder.path().join("shader.spv"));
@@ -97,13 +99,13 @@ pub(crate) fn compiled_by_glslang(name: &str, text: &str, stage: Stage) -> Vec<u
     command.args(["-S", stage_name]);
     match stage {
         Stage::Fragment => &mut command,
-        Stage::Compute => command.arg("-V").arg("-o").arg(&output),
+        Stage::Compute | Stage::Vulkan => command.arg("-V").arg("-o").arg(&output),
         Stage::HlslPixel => command.args(["-D", "-V", "-e", "pixel", "--auto-map-bindings", "-o"]).arg(&output),
         Stage::HlslCompute => command.args(["-D", "-V", "-e", "distances", "-o"]).arg(&output),
     };
     let result = command.arg(&input).output().expect("glslang-tools is what tools/setup.sh --tests installs");
     let said = String::from_utf8_lossy(&result.stdout);
-    assert!(result.status.success(), "{name}: {said}");
+    assert!(result.status.success() && !said.contains("WARNING"), "{name}: {said}");
     std::fs::read(&output).unwrap_or_default()
 }
 
@@ -151,14 +153,15 @@ pub(crate) fn answers_on_gpu(example: &Example, language: Language, asked: &str,
             compiled_by_glslang(&example.name, &(text + &main), Stage::HlslCompute)
         }
         _ => {
-            let uniforms = library.lines().filter(|line| !line.starts_with("uniform ")).collect::<Vec<_>>().join("\n");
+            let library =
+                with_constants(&library, "layout(std140, PARAMETERS_PLACE) uniform Parameters {", "};\n", &constants);
             let head = "#version 450\nlayout(local_size_x = 64) in;\n\
                         layout(std430, binding = 0) readonly buffer Points { vec4 points_asked[]; };\n\
                         layout(std430, binding = 1) buffer Answers { float answers[]; };\n";
             let main = format!(
                 "\nvoid main() {{\nuint i = gl_GlobalInvocationID.x;\nvec3 p = points_asked[i].xyz;\nanswers[i] = {asked};\n}}\n"
             );
-            compiled_by_glslang(&example.name, &[head, &constants, &uniforms, &main].concat(), Stage::Compute)
+            compiled_by_glslang(&example.name, &[head, &library, &main].concat(), Stage::Compute)
         }
     };
     run(&words, if language == Language::Hlsl { "distances" } else { "main" }, points)

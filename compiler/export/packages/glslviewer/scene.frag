@@ -1,12 +1,7 @@
+#version 330
 {{ about }}
 //
 // glslViewer scene.frag -w 960 -h 720. Drag to turn the scene.{% if parameters %} Type {{ parameters[0].name }},{{ parameters[0].max }} to move a live number.{% endif %}
-
-
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-#endif
 
 uniform vec2 u_resolution;
 uniform vec2 u_mouse;
@@ -20,11 +15,7 @@ uniform float u_{{ parameter.name }}; // {{ parameter.text }}
 {% endif %}
 {% endfor %}
 
-#if __VERSION__ >= 130
 out vec4 fragColor;
-#else
-#define fragColor gl_FragColor
-#endif
 
 {{ code }}
 

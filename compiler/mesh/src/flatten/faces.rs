@@ -172,7 +172,7 @@ impl<'a> Faces<'a> {
 /// The sides of an outline, each from one needed vertex to the next; all of it, if there is none.
 fn sides<'a>(outline: &'a [u32], needed: &'a [bool]) -> impl Iterator<Item = Vec<u32>> + 'a {
     let ends: Vec<usize> = (0..outline.len()).filter(|place| needed[outline[*place] as usize]).collect();
-    let closed = ends.is_empty().then(|| (0, outline.len()));
+    let closed = ends.is_empty().then_some((0, outline.len()));
     let between = (0..ends.len()).map(move |number| {
         let (from, to) = (ends[number], ends[(number + 1) % ends.len()]);
         (from, if to > from { to } else { to + outline.len() })

@@ -29,15 +29,15 @@ const HEAD: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <resources>
 "#;
 
-/// A 3MF file, in millimetres, with each triangle's colour.
-pub fn threemf(model: &Model) -> Vec<u8> {
-    let Ok(bytes) = packed(model) else { unreachable!("writing to memory does not fail") };
+/// A 3MF file, in millimetres, with each triangle's colour, of an object that is called so.
+pub fn threemf(model: &Model, name: &str) -> Vec<u8> {
+    let Ok(bytes) = packed(model, name) else { unreachable!("writing to memory does not fail") };
     bytes
 }
 
-fn packed(model: &Model) -> ZipResult<Vec<u8>> {
+fn packed(model: &Model, name: &str) -> ZipResult<Vec<u8>> {
     let mut package = ZipWriter::new(Cursor::new(Vec::new()));
-    let text = xml(model);
+    let text = xml(model, name);
     for (name, text) in
         [("[Content_Types].xml", CONTENT_TYPES), ("_rels/.rels", RELATIONSHIPS), ("3D/3dmodel.model", &text)]
     {
@@ -47,10 +47,12 @@ fn packed(model: &Model) -> ZipResult<Vec<u8>> {
     Ok(package.finish()?.into_inner())
 }
 
-fn xml(model: &Model) -> String {
+fn xml(model: &Model, name: &str) -> String {
     let (colors, painted) = if model.is_blended() { color_group(model) } else { base_materials(model) };
-    let mut text =
-        format!("{HEAD}{colors}<object id=\"2\" type=\"model\" pid=\"1\" pindex=\"0\">\n<mesh>\n<vertices>\n");
+    let name = attribute(name);
+    let mut text = format!(
+        "{HEAD}{colors}<object id=\"2\" name=\"{name}\" type=\"model\" pid=\"1\" pindex=\"0\">\n<mesh>\n<vertices>\n"
+    );
     for vertex in &model.mesh.vertices {
         let [x, y, z] = vertex.map(|coordinate| coordinate as f32);
         let _ = writeln!(text, "<vertex x=\"{x}\" y=\"{y}\" z=\"{z}\"/>");
@@ -90,4 +92,20 @@ fn color_group(model: &Model) -> (String, Vec<String>) {
 
 fn hexadecimal([red, green, blue, opacity]: [u8; 4]) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}{opacity:02X}")
+}
+
+/// A text as the value of an attribute, without the characters that XML can't have.
+fn attribute(text: &str) -> String {
+    let plain = text.chars().filter(|c| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}'));
+    plain.collect::<String>().replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_attributes() {
+        assert_eq!(attribute("a \"b\" <c> & d\n"), "a &quot;b&quot; &lt;c> &amp; d");
+    }
 }

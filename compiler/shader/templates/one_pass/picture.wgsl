@@ -13,7 +13,8 @@ fn draw(@builtin(global_invocation_id) id: vec3<u32>) {
     let size = vec2<f32>(view.size.xy);
     var sum = vec4<f32>(0.0);
     for (var i = 0; i < RAYS; i++) {
-        let place = vec2<f32>(pixel) + 0.5 + ray_offset(i);
+        // Rows of pixels go downwards, offsets upwards.
+        let place = vec2<f32>(pixel) + 0.5 + ray_offset(i) * vec2<f32>(1.0, -1.0);
         let ray = camera_ray(place);
         let from_centre = (2.0 * place - size) / length(size);
         let seen = one_pass(ray.o, ray.w, view.forward.w, vec2<f32>(from_centre.x, -from_centre.y), i);

@@ -5,7 +5,7 @@
 
 const RAYS: i32 = 4;
 
-/// Where in a pixel its i-th ray goes, from the centre, in pixels.
+/// Where in a pixel its i-th ray goes: from the centre to the right and upwards, in pixels.
 fn ray_offset(i: i32) -> vec2<f32> {
     if i == 0 {
         return vec2<f32>(-0.15, -0.55);
