@@ -17,7 +17,7 @@ use crate::live::Live;
 use crate::load::{FileIndex, Library};
 use crate::options::{Limits, Options};
 use crate::plan::{Plan, plan};
-use crate::scope::{PlanId, Scope, Slot, Specials, WellKnown};
+use crate::scope::{Mark, PlanId, Scope, Slot, Specials, WellKnown};
 use crate::settings::Settings;
 use crate::value::{Trouble, Value, held};
 
@@ -113,6 +113,8 @@ pub(crate) struct Children<'t> {
     pub(crate) statements: &'t [Statement],
     /// The scope around them.
     pub(crate) scope: Rc<Scope>,
+    /// The variables that follow the calls, where they stand.
+    pub(crate) specials: Mark,
 }
 
 /// What an instance marked by `!` comes to: all that the scene shows.

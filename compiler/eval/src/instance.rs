@@ -249,11 +249,12 @@ impl<'t> Evaluator<'t> {
         let UserModule { definition, scope: defining, unit } = module;
         let name = &instance.name.node;
         let arguments = self.arguments(&instance.arguments, around)?;
+        let specials = self.specials.mark();
         self.set_specials(unit);
         self.modules.push(name.clone());
         let depth = Value::number(self.modules.len() as f64);
         self.specials.set(self.names.parent_modules.clone(), Some(depth));
-        self.children.push(Children { statements: &instance.children, scope: around.clone() });
+        self.children.push(Children { statements: &instance.children, scope: around.clone(), specials });
         self.calls.push(Call {
             name: name.clone(),
             site: instance.head,
@@ -302,7 +303,11 @@ impl<'t> Evaluator<'t> {
             None if &*instance.name.node == "child" => Some(vec![0]),
             None => None,
         };
-        self.block(given.statements, &given.scope, selected.as_deref()).map(Some)
+        // What the module's own file says where no caller does is not for what the caller wrote.
+        let hidden = self.specials.hide(given.specials);
+        let children = self.block(given.statements, &given.scope, selected.as_deref());
+        self.specials.show(hidden);
+        children.map(Some)
     }
 
     /// Which children an index means: a number, a list or a range.

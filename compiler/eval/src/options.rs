@@ -84,7 +84,7 @@ impl Default for Limits {
     fn default() -> Self {
         Self {
             rounds: 1_000_000,
-            steps: 200_000_000,
+            steps: 150_000_000,
             nesting: 60_000,
             solid_depth: 1_000,
             solids: 1_000_000,
@@ -92,7 +92,7 @@ impl Default for Limits {
             list_values: 10_000_000,
             held_values: 30_000_000,
             list_depth: 20_000,
-            string_bytes: 10_000_000,
+            string_bytes: 2_000_000,
             text_bytes: 1_000_000_000,
             statements: 1_000_000,
             echoes: 10_000,

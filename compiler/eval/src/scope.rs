@@ -159,8 +159,17 @@ impl Default for WellKnown {
 pub(crate) struct Specials {
     values: FxHashMap<Name, Vec<Slot>>,
     set: Vec<Name>,
+    /// What used files whose calls are under way say, where no caller sets anything; that of the outermost call first.
+    fallbacks: Vec<(Name, Slot)>,
     /// What the language itself sets, where nothing in the scene does.
     defaults: FxHashMap<Name, Slot>,
+}
+
+/// A state of [`Specials`].
+#[derive(Clone, Copy)]
+pub(crate) struct Mark {
+    set: usize,
+    fallbacks: usize,
 }
 
 impl Specials {
@@ -171,7 +180,9 @@ impl Specials {
 
     /// The current value.
     pub(crate) fn get(&self, name: &Name) -> Option<&Slot> {
-        self.values.get(name).and_then(|values| values.last()).or_else(|| self.defaults.get(name))
+        let fallback = || self.fallbacks.iter().find(|(other, _)| other == name).map(|(_, slot)| slot);
+        let set = self.values.get(name).and_then(|values| values.last());
+        set.or_else(fallback).or_else(|| self.defaults.get(name))
     }
 
     /// Sets the value that the language gives a variable, below all that scenes set.
@@ -179,11 +190,22 @@ impl Specials {
         self.defaults.insert(name, Some(value));
     }
 
-    /// Sets a value as [`set`](Self::set) does, unless the scene has set one.
+    /// Sets a value that counts where nothing else is set, until [`restore`](Self::restore) is called with an earlier
+    /// mark.
     pub(crate) fn set_if_open(&mut self, name: &Name, slot: &Slot) {
-        if self.values.get(name).is_none_or(Vec::is_empty) {
-            self.set(name.clone(), slot.clone());
+        if !self.fallbacks.iter().any(|(other, _)| other == name) {
+            self.fallbacks.push((name.clone(), slot.clone()));
         }
+    }
+
+    /// Takes away what [`set_if_open`](Self::set_if_open) has set since that mark, to be [shown](Self::show) again.
+    pub(crate) fn hide(&mut self, mark: Mark) -> Vec<(Name, Slot)> {
+        self.fallbacks.split_off(mark.fallbacks.min(self.fallbacks.len()))
+    }
+
+    /// Brings back what was hidden.
+    pub(crate) fn show(&mut self, mut hidden: Vec<(Name, Slot)>) {
+        self.fallbacks.append(&mut hidden);
     }
 
     /// Sets a value, until [`restore`](Self::restore) is called with an earlier mark.
@@ -193,13 +215,14 @@ impl Specials {
     }
 
     /// The current state, to be restored later.
-    pub(crate) fn mark(&self) -> usize {
-        self.set.len()
+    pub(crate) fn mark(&self) -> Mark {
+        Mark { set: self.set.len(), fallbacks: self.fallbacks.len() }
     }
 
     /// Takes back everything that was set since that mark.
-    pub(crate) fn restore(&mut self, mark: usize) {
-        while self.set.len() > mark {
+    pub(crate) fn restore(&mut self, mark: Mark) {
+        self.fallbacks.truncate(mark.fallbacks);
+        while self.set.len() > mark.set {
             if let Some(values) = self.set.pop().and_then(|name| self.values.get_mut(&name)) {
                 values.pop();
             }

@@ -127,7 +127,8 @@ fn callers_come_before_the_top_level_of_used_files() {
     // Where no caller says anything, a file's own top level does.
     assert_eq!(run("echo(cell(), sides());"), "undef, 8");
     assert_eq!(run("with(5) { s = cell(); echo(s); }"), "5");
-    assert_eq!(run("with(5) echo(both());"), "[5, 6]");
+    assert_eq!(run("with(5) echo(both());"), "[5, 8]");
+    assert_eq!(run("with(5) echo($fn, sides());"), "0, 8");
     assert_eq!(run("$fn = 48; echo(sides()); module m() { $fn = 9; echo(sides()); } m();"), "48; 9");
     assert_eq!(run("echo(sides($fn = 0), let ($cell = 1) cell());"), "0, 1");
 }

@@ -22,7 +22,7 @@ fn endless_programs_end_with_an_error() {
         ("for (i = [0 : 1e9]) cube(i);", "more than 1000000 numbers"),
         ("x = [for (l = [1], i = 0; i < 99; l = [l, l], i = i + 1) l];", "more than 10000000 values"),
         ("function nest(n, l = []) = n == 0 ? l : nest(n - 1, [l]); x = nest(99999);", "levels of lists"),
-        ("x = [for (s = \"ab\", i = 0; i < 99; s = str(s, s), i = i + 1) s];", "longer than 10000000 bytes"),
+        ("x = [for (s = \"ab\", i = 0; i < 99; s = str(s, s), i = i + 1) s];", "longer than 2000000 bytes"),
         ("x = rands(0, 1, 1e12);", "random numbers"),
     ];
     for (text, expected) in cases {
@@ -48,7 +48,7 @@ fn limited(text: &str, files: &[(&'static str, &'static str)]) -> Vec<String> {
         list_values: 12_000,
         held_values: 30_000,
         string_bytes: 100_000,
-        text_bytes: 1_000_000,
+        text_bytes: 4_000_000,
         solids: 10_000,
         statements: 10_000,
         echoes: 100,
@@ -73,7 +73,7 @@ fn what_doubles_ends_where_it_is_written() {
             "function f(n) = let (l = [for (i = [1 : 9000]) i]) n == 0 ? 0 : 1 + f(n - 1) + l[0]; x = f(9);",
             "hold more than",
         ),
-        ("s = chr([65 : 9000]); for (i = [1 : 99]) { t = str(s, i); }", "bytes of text"),
+        ("s = chr([65 : 9000]); for (i = [1 : 999]) { t = str(s, i); }", "bytes of text"),
         ("for (i = [1 : 99999]) cube(1);", "more than 10000 solids"),
         ("for (i = [1 : 200], j = [1 : 200]) translate([i, j]) { cube(1); sphere(1); }", "more than 10000 solids"),
         ("include <a.scad>\ninclude <a.scad>", "too many statements"),
