@@ -95,7 +95,7 @@ fn limits_and_conditions_keep_what_may_fail_live() {
     let head = "n = 3; // [0:30]\nr = 2; // [-9:9]\n";
     for text in [
         "translate([asin(min(n, 1)), r, 0]) sphere(1);",
-        "rotate(n > 0 ? 1 / n : r) sphere(1);",
+        "rotate(n > 0.1 ? 1 / n : r) sphere(1);",
         "rotate(!(n <= 4) ? sqrt(n - 4) : r) sphere(1);",
         "translate([sqrt(81 - r * r), tan(n), 0]) sphere(1);",
         "multmatrix([[1, n % 5, 0, r ^ 3]]) cube(1);",
