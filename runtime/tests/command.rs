@@ -224,6 +224,46 @@ fn hostile_input_is_an_error() {
     }
 }
 
+/// What `check` refuses for its numbers is refused by whatever asks for distances.
+#[test]
+fn bad_numbers_are_refused_whatever_is_made_of_the_scene() {
+    let scenes = [
+        ("cylinder(h = 6, r1 = 8, r2 = 0 / 0);", "`r2` has to be finite"),
+        ("union(r = 1 / 0) { cube(5); sphere(4); }", "`r` has to be finite"),
+        ("translate([1e16, 0, 0]) cube(1);", "reaches farther than 1e15 mm"),
+    ];
+    for (text, message) in scenes {
+        let folder = Folder::new().with("bad.csg", text).with("p.jsonl", "{\"p\":[50,3,4]}\n");
+        for arguments in [
+            &["check", "bad.csg"][..],
+            &["distance", "bad.csg", "--points", "p.jsonl"],
+            &["render", "bad.csg", "-o", "bad.png", "--size", "16x12", "--samples", "1"],
+            &["export", "bad.csg", "-o", "bad.stl"],
+            &["export", "bad.csg", "-o", "bad.glsl"],
+        ] {
+            let output = folder.run(arguments);
+            assert_eq!(output.status.code(), Some(1), "{arguments:?} of {text}");
+            assert!(stderr(&output).contains(message), "{arguments:?} of {text}: {}", stderr(&output));
+            assert!(stdout(&output).is_empty(), "{arguments:?} of {text}: {}", stdout(&output));
+        }
+        assert!(!folder.path("bad.png").exists() && !folder.path("bad.stl").exists(), "{text}");
+    }
+}
+
+/// With live numbers that may go bad, a mesh is that of the present values.
+#[test]
+fn numbers_that_may_go_bad_make_the_mesh_of_their_present_values() {
+    let text = "a = 0.5; // [0:5]\nrotate([0, asin(a), 0]) cube(5);\n";
+    let folder = Folder::new().with("p.csg", text);
+    let output = succeeded(folder.run(&["export", "p.csg", "-o", "p.stl"]));
+    assert!(stderr(&output).contains("changing `a` recompiles"), "{}", stderr(&output));
+    // Nothing is left where the angle is none, and that is said.
+    let output = folder.run(&["export", "p.csg", "-D", "a=2", "-o", "q.stl"]);
+    assert_eq!(output.status.code(), Some(1));
+    let text = stderr(&output);
+    assert!(text.contains("is not finite here") && text.contains("the scene is empty"), "{text}");
+}
+
 /// Numbers that make no solid leave it out with a warning, as OpenSCAD does; they are no reason to fail.
 #[test]
 fn odd_numbers_make_empty_solids() {

@@ -11,9 +11,12 @@ use crate::walk::material_scalars;
 /// a number in a shader's precision.
 const FARTHEST: f64 = 1e15;
 
-/// Why nothing can be made of the graph, if so.
-pub(crate) fn unfit(graph: &Graph) -> Option<Diagnostic> {
-    odd_number(graph).or_else(|| remote(graph))
+/// More than this part of a scene's size may not be lost where numbers are rounded to single precision.
+const FINEST: f64 = 1.0 / 2000.0;
+
+/// Why nothing can be made of the graph, as an error; or why that will look crude, as a warning.
+pub(crate) fn remark(graph: &Graph) -> Option<Diagnostic> {
+    odd_number(graph).or_else(|| remote(graph)).or_else(|| blurred(graph))
 }
 
 /// Says which node depends on a number that is not finite, or may not be.
@@ -62,4 +65,22 @@ fn remote(graph: &Graph) -> Option<Diagnostic> {
         let message = format!("this reaches farther than {FARTHEST:e} mm, for which numbers have no room");
         Diagnostic::error(graph.spans.get(remote).copied(), message).with_hint("scale the scene down")
     })
+}
+
+/// Says that a scene is so far from the origin that pictures of it are rough.
+fn blurred(graph: &Graph) -> Option<Diagnostic> {
+    let root = graph.root.0 as usize;
+    let bounds = graph.facts.get(root)?.bounds;
+    let extents = (0..3).map(|axis| bounds.axis(axis)).filter(|extent| extent.is_finite());
+    let (size, far) = extents
+        .fold((0f64, 0f64), |(size, far), extent| (size.max(extent.max - extent.min), far.max(extent.magnitude())));
+    let rounding = far * f64::from(f32::EPSILON);
+    if bounds.is_empty() || rounding <= FINEST * size {
+        return None;
+    }
+    let message =
+        format!("this is {size:.3e} mm large, but {far:.3e} mm from the origin: pictures of it will be rough");
+    let warning = Diagnostic::warning(graph.spans.get(root).copied(), message)
+        .with_label(format!("there, numbers of single precision are {rounding:.1e} mm apart"));
+    Some(warning.with_hint("move the scene nearer to the origin"))
 }

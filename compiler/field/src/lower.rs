@@ -47,7 +47,7 @@ pub fn lower(root: &Arc<Solid>) -> (Graph, Vec<Diagnostic>) {
     let root = lowered.unwrap_or_else(|| builder.node(Node::Nothing, root.span, Class::Exact, 1.0));
     let root = normalise::normalised(&mut builder, root);
     let graph = builder.finish(root);
-    diagnostics.extend(checks::unfit(&graph));
+    diagnostics.extend(checks::remark(&graph));
     (graph, diagnostics)
 }
 

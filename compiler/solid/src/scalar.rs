@@ -10,6 +10,7 @@
 //! made of such a number: the evaluator makes its parameters constants instead.
 
 mod function;
+mod guard;
 mod range;
 
 use std::hash::{Hash, Hasher};
@@ -96,8 +97,8 @@ impl Scalar {
         }
         let ranges: Vec<Interval> = arguments.iter().map(Scalar::range).collect();
         let range = match arguments.as_slice() {
-            [a, b] if function == Function::Multiply && a == b => range::square(ranges[0]),
-            _ => function.range(&ranges),
+            [condition, yes, no] if function == Function::Select => guard::choice(condition, yes, no),
+            arguments => range::of_arguments(function, arguments, &ranges),
         };
         Scalar::live(Operation::Apply(function, arguments), range)
     }

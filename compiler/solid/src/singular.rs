@@ -90,16 +90,17 @@ fn turned(matrix: &Matrix) -> ([[f64; 3]; 3], f64) {
     (columns, scale)
 }
 
-/// Turns two columns to a right angle, unless they are at one.
+/// Turns two columns to a right angle and puts the longer one first. Answers whether that changed anything.
 fn turn(columns: &mut [[f64; 3]; 3], i: usize, j: usize) -> bool {
     // The longer column comes first (de Rijk 1989): that keeps short ones precise.
-    if dot(columns[i], columns[i]) < dot(columns[j], columns[j]) {
+    let swapped = dot(columns[i], columns[i]) < dot(columns[j], columns[j]);
+    if swapped {
         columns.swap(i, j);
     }
     let (p, q) = (columns[i], columns[j]);
     let (pp, qq, pq) = (dot(p, p), dot(q, q), dot(p, q));
     if pq.abs() <= RIGHT * (pp * qq).sqrt() || pq == 0.0 {
-        return false;
+        return swapped;
     }
     let zeta = (qq - pp) / (2.0 * pq);
     let tangent = 1f64.copysign(zeta) / (zeta.abs() + 1f64.hypot(zeta));
@@ -182,6 +183,22 @@ mod tests {
             }
             assert!(least(&shear) * greatest_value <= 1.0);
             assert_near(least(&shear), 1.0 / greatest_value, 1e-12);
+        }
+    }
+
+    #[test]
+    fn the_order_of_axes_does_not_matter() {
+        let orders = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
+        let shear = [[1.0, 2.2, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let greatest_value = (f64::hypot(2.2, 2.0) + 2.2) / 2.0;
+        for (rows, columns) in orders.iter().flat_map(|a| orders.iter().map(move |b| (a, b))) {
+            let matrix: Matrix = array::from_fn(|i| array::from_fn(|j| shear[rows[i]][columns[j]]));
+            let [most, middle, least_value] = values(&matrix);
+            assert_near(most, greatest_value, 1e-15);
+            assert_near(middle, 1.0, 1e-15);
+            assert_near(least_value, 1.0 / greatest_value, 1e-14);
+            assert_near(least(&matrix), 1.0 / greatest_value, 1e-12);
+            assert_near(greatest(&matrix), greatest_value, 1e-12);
         }
     }
 

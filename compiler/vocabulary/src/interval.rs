@@ -76,11 +76,6 @@ impl Interval {
         Interval { min: self.min.max(other.min), max: self.max.max(other.max) }
     }
 
-    /// One divided by the numbers. If zero is among them, that may be anything.
-    pub fn recip(self) -> Interval {
-        if self.min > 0.0 || self.max < 0.0 { Interval::new(1.0 / self.max, 1.0 / self.min) } else { Self::ALL }
-    }
-
     /// The interval spanned by some numbers.
     fn spanned(values: [f64; 4]) -> Interval {
         let min = values.iter().fold(f64::INFINITY, |least, value| least.min(*value));

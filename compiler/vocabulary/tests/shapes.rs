@@ -358,3 +358,18 @@ fn forms_hold_their_shapes_and_bound_them() {
         }
     });
 }
+
+/// Of an ellipsoid 25 times as long as thin. (Near the ends of needles, a hundred times as long, Newton's steps leave
+/// some of the error.)
+#[test]
+fn long_ellipsoids_are_no_steeper_than_others() {
+    let row = shapes().find(|row| row.name == "ellipsoid").expect("the row");
+    let mut random = Random(11);
+    let radii = [8.0, 9.7, 200.6];
+    let reach = radii.map(|radius: f64| 1.1 * radius + 60.0);
+    for _ in 0..4000 {
+        let point = reach.map(|reach| random.within(-reach, reach));
+        let slope = dual(row, &point, &radii).slope();
+        assert!(slope <= 1.0 + 1e-6, "{slope} at {point:?} beside {radii:?}");
+    }
+}

@@ -91,7 +91,8 @@ fn sd_ellipsoid(p: vec3<f32>, radii: vec3<f32>) -> f32 {
     let u_c = ellipsoid_step(u_b, pull, spread);
     let u_d = ellipsoid_step(u_c, pull, spread);
     let u_e = ellipsoid_step(u_d, pull, spread);
-    let u = ellipsoid_step(u_e, pull, spread);
+    let u_f = ellipsoid_step(u_e, pull, spread);
+    let u = ellipsoid_step(u_f, pull, spread);
     let reach = abs(u - r_min * r_min) * length(q / (spread + u));
     let depth = length(p / radii);
     let shallow = max(min(reach, 0.5 * r_min * r_min / r_max), r_min * (1.0 - depth));

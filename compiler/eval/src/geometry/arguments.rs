@@ -204,9 +204,10 @@ impl Instance<'_> {
 /// The error that a length is no finite number.
 pub(super) fn not_finite(parameter: &str, number: &Scalar, span: Span) -> Stop {
     let is_infinite = number.constant().is_some_and(f64::is_infinite);
-    let (is, why) = match is_infinite {
-        true => ("is infinite", "a quotient is infinite where its divisor is 0"),
-        false => ("is not a number", "so are 0 / 0, and functions of what they are not defined for, such as sqrt(-1)"),
+    let (is, why) = if is_infinite {
+        ("is infinite", "a quotient is infinite where its divisor is 0")
+    } else {
+        ("is not a number", "0 / 0 is none, nor is a function of what it is not defined for, such as sqrt(-1)")
     };
     let diagnostic = Diagnostic::error(span, format!("`{parameter}` has to be finite"))
         .with_label(format!("this {is}"))

@@ -4,6 +4,7 @@ use chiaro_solid::Scalar;
 use chiaro_syntax::{Diagnostic, Span};
 use chiaro_vocabulary::{Kind, Parameter, Row, Type, Unit, rows};
 
+use super::arguments::not_finite;
 use super::decide::{self, Sign};
 use super::instance::{Instance, error};
 use super::make::{empty, radians, shape};
@@ -76,10 +77,9 @@ fn read(instance: &mut Instance, parameter: &Parameter) -> Result<Vec<Scalar>, S
             return Err(Stop::Error(Box::new(diagnostic)));
         }
     };
-    if numbers.iter().all(Scalar::is_finite) {
-        Ok(numbers)
-    } else {
-        Err(error(instance.place(name), format!("`{name}` has to be finite")))
+    match numbers.iter().find(|number| !number.is_finite()) {
+        Some(odd) => Err(not_finite(name, odd, instance.place(name))),
+        None => Ok(numbers),
     }
 }
 

@@ -68,6 +68,46 @@ fn what_decides_the_structure_is_demoted_with_a_note() {
 }
 
 #[test]
+fn a_number_that_may_not_be_finite_is_demoted_with_its_range() {
+    let head = "n = 3; // [0:30]\nr = 2; // [1:9]\n";
+    for text in [
+        "translate([asin(n / 30 + r / 9), 0, 0]) sphere(1);",
+        "rotate(1 / n) sphere(r);",
+        "sphere(r); rotate([0, sqrt(n - 20), 0]) cube(1);",
+        "scale(r) translate([ln(n), 0, 0]) cube(1);",
+        "multmatrix([[1, n % (n - 5), 0, r]]) cube(1);",
+        "color([1, 0, log(n)]) sphere(r);",
+        "$vpd = 100 / n; sphere(r);",
+        "rect_light(1, luminance = exp(n * 100)); sphere(r);",
+        "union(r = tan(n * 4)) { sphere(r); cube(1); }",
+        "camera([r, 1, pow(n - 10, 0.5)]); sphere(1);",
+        "sphere(n < 1 ? r : sqrt(n - 2));",
+    ] {
+        let outcome = run(&format!("{head}{text}"));
+        assert!(outcome.parameters.iter().all(|parameter| &*parameter.name != "n"), "{text}: {outcome:?}");
+        let expected = "changing `n` recompiles, because this may not be a finite number for all its values";
+        assert!(outcome.notes.iter().any(|note| note == expected), "{text}: {outcome:?}");
+    }
+}
+
+#[test]
+fn limits_and_conditions_keep_what_may_fail_live() {
+    let head = "n = 3; // [0:30]\nr = 2; // [-9:9]\n";
+    for text in [
+        "translate([asin(min(n, 1)), r, 0]) sphere(1);",
+        "rotate(n > 0.1 ? 1 / n : r) sphere(1);",
+        "rotate(!(n <= 4) ? sqrt(n - 4) : r) sphere(1);",
+        "translate([sqrt(81 - r * r), tan(n), 0]) sphere(1);",
+        "multmatrix([[1, n % 5, 0, r ^ 3]]) cube(1);",
+        "rotate(n, [r, 0, 1]) cube(1);",
+    ] {
+        let outcome = run(&format!("{head}{text}"));
+        assert_eq!(names(&outcome), ["n", "r"], "{text}");
+        assert!(outcome.notes.is_empty(), "{text}: {:?}", outcome.notes);
+    }
+}
+
+#[test]
 fn a_value_from_outside_is_a_live_ones_default() {
     let options = Options { definitions: vec![("r".into(), "50".into())], ..Options::default() };
     let outcome = run_with("r = 10; // [1:30]\nsphere(r);", &[], options);

@@ -6,6 +6,7 @@
 
 use chiaro_vocabulary::Interval;
 
+use super::Scalar;
 use super::function::{Function, degrees};
 
 /// Bounds of `function` for arguments within the ranges `x`; everything, if some of the values may not be finite.
@@ -21,9 +22,17 @@ pub(super) fn of(function: Function, x: &[Interval]) -> Interval {
 }
 
 /// Bounds of a number times itself, which is never negative.
-pub(super) fn square(x: Interval) -> Interval {
+fn square(x: Interval) -> Interval {
     let square = x.abs().increasing(|v| v * v);
     if square.is_finite() { square } else { Interval::ALL }
+}
+
+/// The same, where arguments that are equal may tell more.
+pub(super) fn of_arguments(function: Function, arguments: &[Scalar], x: &[Interval]) -> Interval {
+    match arguments {
+        [a, b] if function == Function::Multiply && a == b => square(x[0]),
+        _ => of(function, x),
+    }
 }
 
 fn of_finite(function: Function, x: &[Interval]) -> Interval {
@@ -32,8 +41,7 @@ fn of_finite(function: Function, x: &[Interval]) -> Interval {
         Function::Add => x[0] + x[1],
         Function::Subtract => x[0] - x[1],
         Function::Multiply => x[0] * x[1],
-        Function::Divide if x[1].contains(0.0) => Interval::ALL,
-        Function::Divide => x[0] * x[1].recip(),
+        Function::Divide => quotient(x[0], x[1]),
         Function::Modulo => modulo(x[0], x[1]),
         Function::Power => power(x[0], x[1]),
         Function::Min => x[0].min(x[1]),
@@ -74,6 +82,14 @@ fn select(x: &[Interval]) -> Interval {
     } else {
         x[1].hull(x[2])
     }
+}
+
+/// Quotients by what is not zero are monotonic in each argument.
+fn quotient(x: Interval, by: Interval) -> Interval {
+    if by.contains(0.0) {
+        return Interval::ALL;
+    }
+    Interval::new(x.min / by.min, x.min / by.max).hull(Interval::new(x.max / by.min, x.max / by.max))
 }
 
 /// The remainder keeps the dividend's sign and stays below the divisor, which must not be zero.
