@@ -85,7 +85,7 @@ fn misspelt(text: &str) -> Vec<String> {
 #[test]
 fn syntax_errors_hide_no_misspelt_names() {
     let names = misspelt(
-        "x = ;\nsphree(8);\ncolr(\"red\") cube(1);\ncylinder(hieght = 3);\nwidth = 2;\ncube(widht);\ny = sqr(4);",
+        "x = ;\nsphree(8);\ncolr(\"red\") cube(1);\nlinear_extrude(hieght = 3) square(1);\nwidth = 2;\ncube(widht);\ny = sqr(4);",
     );
     assert_eq!(names.len(), 5, "{names:?}");
     // The text may still be written.

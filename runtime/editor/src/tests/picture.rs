@@ -207,7 +207,9 @@ fn a_look_is_that_of_one_text() {
 
 #[test]
 fn a_picture_that_was_there_a_moment_ago_is_there_again() {
-    let mut person = Person::with_files(&[("main.csg", SCENE), ("other.csg", "cube(9);\n")]);
+    // Nothing is selected by a caret in blank space.
+    let scene = format!("\n\n{SCENE}");
+    let mut person = Person::with_files(&[("main.csg", &scene), ("other.csg", "cube(9);\n")]);
     person.until_drawn();
     let at = seen(&person, [0.0, 0.0, 0.0]) + vec2(0.0, 150.0);
     person.drags(at, vec2(60.0, 0.0), Modifiers::NONE);
