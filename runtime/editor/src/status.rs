@@ -66,7 +66,8 @@ fn state(editor: &Editor, ui: &mut Ui) {
     if let Some(trouble) = &session.trouble {
         loud(ui, trouble);
     } else if session.is_compiled() && session.has_errors() {
-        let picture = if editor.viewport.drawn().is_some() { ": the picture is of the last text without any" } else { "" };
+        let picture =
+            if editor.viewport.drawn().is_some() { ": the picture is of the last text without any" } else { "" };
         loud(ui, &format!("errors{picture}"));
     } else {
         ui.label(under_way(editor, ui).unwrap_or_else(|| "ready".to_owned()));

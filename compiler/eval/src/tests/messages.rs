@@ -78,15 +78,20 @@ fn echoes_come_in_the_order_of_execution() {
 /// The names that are said to be misspelt in a text with syntax errors.
 fn misspelt(text: &str) -> Vec<String> {
     let outcome = run(text);
-    let (syntax, names): (Vec<_>, Vec<_>) =
-        outcome.errors.into_iter().chain(outcome.warnings).partition(|said| !said.contains("there is no") && !said.contains("has no parameter"));
+    let (syntax, names): (Vec<_>, Vec<_>) = outcome
+        .errors
+        .into_iter()
+        .chain(outcome.warnings)
+        .partition(|said| !said.contains("there is no") && !said.contains("has no parameter"));
     assert!(!syntax.is_empty(), "{text} has no syntax error");
     names
 }
 
 #[test]
 fn syntax_errors_hide_no_misspelt_names() {
-    let names = misspelt("x = ;\nsphree(8);\ncolr(\"red\") cube(1);\ncylinder(hieght = 3);\nwidth = 2;\ncube(widht);\ny = sqr(4);");
+    let names = misspelt(
+        "x = ;\nsphree(8);\ncolr(\"red\") cube(1);\nlinear_extrude(hieght = 3) square(1);\nwidth = 2;\ncube(widht);\ny = sqr(4);",
+    );
     assert_eq!(names.len(), 5, "{names:?}");
     // The text may still be written.
     assert_eq!(misspelt("sphree(8);\ntranslate([1, 2, 3]").len(), 1);

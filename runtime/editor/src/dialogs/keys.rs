@@ -27,7 +27,11 @@ pub(super) fn show(editor: &mut Editor, context: &Context) {
     };
     let by_mouse = MOUSE.iter().map(|(gesture, what)| (*what, (*gesture).to_owned()));
     let rows: Vec<(&str, String)> = Command::ALL.iter().filter_map(by_key).chain(by_mouse).collect();
-    let window = Window::new("Keys").id(Id::unique("keys")).open(&mut editor.dialogs.shows_keys).resizable(false).collapsible(false);
+    let window = Window::new("Keys")
+        .id(Id::unique("keys"))
+        .open(&mut editor.dialogs.shows_keys)
+        .resizable(false)
+        .collapsible(false);
     let middle = context.content_rect().center();
     window.pivot(Align2::CENTER_CENTER).default_pos(middle).show(context, |ui| {
         ScrollArea::vertical().show(ui, |ui| {

@@ -68,6 +68,9 @@ impl PathField {
     pub(super) fn show_list(&mut self, ui: &mut Ui, field: &Response) {
         let mut clicked = None;
         ScrollArea::vertical().max_height(LIST).min_scrolled_height(LIST).auto_shrink(false).show(ui, |ui| {
+            if self.offered().is_empty() {
+                ui.weak("nothing there begins like this");
+            }
             for name in self.offered() {
                 if ui.selectable_label(false, name).clicked() {
                     clicked = Some(name.clone());
@@ -133,7 +136,8 @@ fn names(folder: &str, begun: &str, endings: &[String]) -> Vec<String> {
     let Ok(entries) = std::fs::read_dir(place) else { return Vec::new() };
     let named = |entry: std::fs::DirEntry| {
         let name = entry.file_name().into_string().ok()?;
-        let fits = name.to_lowercase().starts_with(&begun.to_lowercase()) && name.starts_with('.') == begun.starts_with('.');
+        let fits =
+            name.to_lowercase().starts_with(&begun.to_lowercase()) && name.starts_with('.') == begun.starts_with('.');
         let path = entry.path();
         let has_ending = path.extension().is_some_and(|ending| endings.iter().any(|other| *ending == **other));
         match path.is_dir() {

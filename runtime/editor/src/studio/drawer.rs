@@ -198,12 +198,7 @@ impl Easel {
     }
 
     /// What is to be highlighted.
-    fn highlight(
-        &mut self,
-        view: View,
-        size: [u32; 2],
-        goes_on: &dyn Fn() -> bool,
-    ) -> Result<Option<Vec<u8>>, Error> {
+    fn highlight(&mut self, view: View, size: [u32; 2], goes_on: &dyn Fn() -> bool) -> Result<Option<Vec<u8>>, Error> {
         let (Some(subject), Some(solids)) = (self.subject.clone(), self.wanted.highlighted.clone()) else {
             return Ok(None);
         };

@@ -155,7 +155,8 @@ fn an_export_is_of_the_scene_in_the_picture() {
         let field = person.harness.get_by_role_and_label(Role::TextInput, "File").value().unwrap();
         std::path::Path::new(&field).file_name().unwrap().to_owned()
     };
-    let says = |person: &Person, scene: &str| person.harness.query_all_by_role_and_label(Role::Label, scene).count() > 0;
+    let says =
+        |person: &Person, scene: &str| person.harness.query_all_by_role_and_label(Role::Label, scene).count() > 0;
     assert!(says(&person, "main.csg") && file(&person) == "main.stl");
     let other = person.file("other.csg");
     person.editor_mut().open(&other);

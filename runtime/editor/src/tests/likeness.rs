@@ -16,7 +16,8 @@ pub(super) fn difference(a: &RgbaImage, b: &RgbaImage) -> f64 {
         return f64::INFINITY;
     }
     let (width, height) = a.dimensions();
-    let corners = (0..height).step_by(TILE as usize).flat_map(|y| (0..width).step_by(TILE as usize).map(move |x| [x, y]));
+    let corners =
+        (0..height).step_by(TILE as usize).flat_map(|y| (0..width).step_by(TILE as usize).map(move |x| [x, y]));
     corners.map(|corner| tile_difference(a, b, corner)).fold(0.0, f64::max)
 }
 

@@ -132,10 +132,15 @@ mod tests {
             let page = style.visuals.panel_fill;
             let behind = |marks: &[Mark]| marks.iter().fold(page, |page, mark| page.blend(mark.color(is_dark)));
             use Mark::{Bracket, Hit, Line, Number, Reference, Selection, Solid};
-            let marks: [&[Mark]; 7] =
-                [&[Line], &[Line, Solid], &[Line, Reference], &[Line, Hit], &[Line, Solid, Selection], &[Line, Bracket], &[
-                    Line, Number,
-                ]];
+            let marks: [&[Mark]; 7] = [
+                &[Line],
+                &[Line, Solid],
+                &[Line, Reference],
+                &[Line, Hit],
+                &[Line, Solid, Selection],
+                &[Line, Bracket],
+                &[Line, Number],
+            ];
             let backgrounds = marks.into_iter().map(behind).chain([style.visuals.selection.bg_fill]);
             for background in backgrounds {
                 for kind in KINDS {

@@ -100,7 +100,7 @@ impl Editor {
             Command::Indent => Some(selected.indent()),
             Command::Unindent => selected.unindent(),
             Command::NewLine => Some(selected.new_line()),
-            Command::Backspace => selected.backspace(),
+            Command::Backspace => Some(selected.backspace()),
             Command::Duplicate => Some(selected.duplicate()),
             Command::DeleteLines => Some(selected.delete_lines()),
             Command::MoveUp => selected.move_up(),

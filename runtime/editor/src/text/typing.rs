@@ -1,5 +1,7 @@
 //! What is written along with a letter: the bracket that closes, the indentation of the next line.
 
+use std::ops::Range;
+
 use chiaro_assist::{Edit, Kind, brackets, highlight};
 
 use super::edits::{Change, LEVEL, Selected, indentation};
@@ -95,20 +97,24 @@ impl Selected<'_> {
         Change { edits: vec![Edit { range, text: inner + &outer }], anchor: caret, caret }
     }
 
-    /// Removes an empty pair of brackets, or indentation up to the level before; none where one letter is to go.
-    pub(super) fn backspace(self) -> Option<Change> {
-        if !self.is_empty() {
-            return None;
-        }
+    /// Removes what is selected, or else an empty pair of brackets, indentation up to the level
+    /// before, or one letter.
+    pub(super) fn backspace(self) -> Change {
+        Change::replacement(if self.is_empty() { self.removed_before() } else { self.range() }, "")
+    }
+
+    /// What is removed with the letter before the caret.
+    fn removed_before(self) -> Range<usize> {
         let (before, after) = self.text.split_at(self.caret);
         let is_pair = |(opener, closer): &(char, char)| before.ends_with(*opener) && after.starts_with(*closer);
         if PAIRS.iter().any(is_pair) {
-            return Some(Change::replacement(self.caret - 1..self.caret + 1, ""));
+            return self.caret - 1..self.caret + 1;
         }
         let spaces = before.len() - before.trim_end_matches(' ').len();
         let is_indentation = spaces > 0 && before[..before.len() - spaces].ends_with('\n') || spaces == before.len();
-        let removed = if is_indentation && spaces > 1 { (spaces - 1) % LEVEL + 1 } else { return None };
-        Some(Change::replacement(self.caret - removed..self.caret, ""))
+        let letter = before.chars().next_back().map_or(0, char::len_utf8);
+        let removed = if is_indentation && spaces > 1 { (spaces - 1) % LEVEL + 1 } else { letter };
+        self.caret - removed..self.caret
     }
 }
 
@@ -123,7 +129,7 @@ mod tests {
         let selected = Selected { text: &text, anchor, caret };
         let change = match letter {
             "\n" => Some(selected.new_line()),
-            "<" => selected.backspace(),
+            "<" => Some(selected.backspace()),
             letter => selected.typed(letter),
         };
         assert_eq!(change.map(|change| written(&text, &change)).as_deref(), expected, "{marked} {letter}");
@@ -164,7 +170,10 @@ mod tests {
         check("cube(|)", "<", Some("cube|"));
         check("        |a", "<", Some("    |a"));
         check("      |a", "<", Some("    |a"));
-        check("a = 1;  |b", "<", None);
-        check(" |b", "<", None);
+        check("a = 1;  |b", "<", Some("a = 1; |b"));
+        check(" |b", "<", Some("|b"));
+        check("é|", "<", Some("|"));
+        check("|b", "<", Some("|b"));
+        check("a^bc|d", "<", Some("a|d"));
     }
 }

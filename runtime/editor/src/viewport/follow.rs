@@ -58,6 +58,8 @@ pub(super) fn follow(editor: &mut Editor, ui: &Ui) {
     let is_moving = editor.viewport.is_moving
         || editor.viewport.handle.is_some()
         || editor.clock.is_running()
+        // What draws does not know the model yet.
+        || editor.session.is_outdated()
         || ui.input(|input| input.pointer.any_down());
     let viewport = &mut editor.viewport;
     let stance = &mut viewport.stance;
@@ -147,7 +149,9 @@ mod tests {
         assert!((reach(view, &flat(50.0, at_zero)).unwrap() - 0.5).abs() < 1e-9);
         assert!((reach(view, &flat(50.0, Interval::new(0.0, 50.0))).unwrap() - 1.0).abs() < 1e-9);
         // A plane shape's box has no end upwards.
-        assert!((reach(view, &flat(50.0, Interval::new(f64::NEG_INFINITY, f64::INFINITY))).unwrap() - 0.5).abs() < 1e-9);
+        assert!(
+            (reach(view, &flat(50.0, Interval::new(f64::NEG_INFINITY, f64::INFINITY))).unwrap() - 0.5).abs() < 1e-9
+        );
         assert_eq!(reach(view, &flat(50.0, Interval::new(0.0, 200.0))), Some(f64::INFINITY));
         assert_eq!(reach(view, &Bounds::EMPTY), None);
     }

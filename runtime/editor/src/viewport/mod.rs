@@ -194,7 +194,9 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
         // What begins empty is framed when there is something.
         let is_open =
             editor.viewport.eye == Eye::Scene && (has_camera(&frame.scene) || frame.scene.dimension().is_none());
-        editor.viewport.take(ui, *frame, !is_open);
+        // A view that frames an older model says nothing about this one.
+        let keeps_view = !is_open && !editor.session.is_outdated();
+        editor.viewport.take(ui, *frame, keeps_view);
     }
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     editor.viewport.rect = Some(rect);

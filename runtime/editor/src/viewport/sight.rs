@@ -52,10 +52,14 @@ impl Seen {
     pub(super) fn is_better_than(&self, frame: &Frame) -> bool {
         let is_as_large = (0..2).all(|edge| frame.size[edge] <= self.size[edge]);
         let is_finer = is_as_large && (frame.size != self.size || frame.samples < self.samples);
-        is_finer && frame.view == self.view && self.wanted.shows_like(&frame.wanted) && shows_like(&self.scene, &frame.scene)
+        is_finer
+            && frame.view == self.view
+            && self.wanted.shows_like(&frame.wanted)
+            && shows_like(&self.scene, &frame.scene)
     }
 
     /// Whether it is what is wanted now.
+    #[cfg(test)]
     pub(super) fn is_wanted(&self, wanted: &Wanted) -> bool {
         let is_there = wanted.eye == self.wanted.eye || wanted.eye == Eye::At(self.view);
         is_there && self.wanted.shows_like(wanted)
@@ -96,7 +100,8 @@ impl Viewport {
 
         let Sight { document: _, texture, seen, legend, eye, look, plane, stance } = next;
         self.texture = texture.or(self.texture.take());
-        (self.seen, self.legend, self.eye, self.look, self.plane, self.stance) = (seen, legend, eye, look, plane, stance);
+        (self.seen, self.legend, self.eye, self.look, self.plane, self.stance) =
+            (seen, legend, eye, look, plane, stance);
         (self.other, self.outline, self.outlined, self.highlight, self.selection) = (None, None, None, None, None);
     }
 }

@@ -28,13 +28,7 @@ struct Masked {
 impl Inspecting {
     pub(crate) fn new(subject: &Subject) -> Result<Self, Error> {
         let inspector = Inspector::new(&subject.gpu, &subject.model)?;
-        Ok(Self {
-            inspector,
-            masker: Masker::default(),
-            last_mask: None,
-            highlighting: None,
-            last_highlight: None,
-        })
+        Ok(Self { inspector, masker: Masker::default(), last_mask: None, highlighting: None, last_highlight: None })
     }
 
     /// The picture in 8 bits of sRGB and alpha, with what its colours mean. None if it was not to go on before it was done.
