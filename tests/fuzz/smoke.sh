@@ -13,7 +13,10 @@ of_text=(parser format assist evaluator)
 of_bytes=(programs field live meshes exports)
 for target in "${of_text[@]}"; do
     mkdir -p "corpus/$target"
-    cp ../scenes/*/*.csg ../../examples_csg/*.csg "corpus/$target/"
+    for scene in ../scenes/*/*.csg ../../examples_csg/*.csg; do
+        folder=$(basename "$(dirname "$scene")")
+        cp "$scene" "corpus/$target/$folder-$(basename "$scene")"
+    done
 done
 cargo fuzz build --fuzz-dir . --sanitizer none
 for target in "${of_text[@]}" "${of_bytes[@]}"; do
