@@ -333,9 +333,10 @@ fn forms_hold_their_shapes_and_bound_them() {
         let form = row.form;
         let [x, y, z] = [point[0], point[1], point.get(2).copied().unwrap_or(0.0)];
         let weighted = |weights: &[(usize, f64)]| weights.iter().map(|(i, weight)| weight * arguments[*i]).sum::<f64>();
-        let flats = form.flats.iter().map(|flat| {
-            flat.normal[0] * x + flat.normal[1] * y + flat.normal[2] * z - weighted(flat.offset)
-        });
+        let flats = form
+            .flats
+            .iter()
+            .map(|flat| flat.normal[0] * x + flat.normal[1] * y + flat.normal[2] * z - weighted(flat.offset));
         let rounds = form.rounds.iter().map(|round| {
             let beyond = if round.is_sphere { x.hypot(y).hypot(z) } else { x.hypot(y) } - weighted(round.radius);
             if round.is_hollow { -beyond } else { beyond }
@@ -343,7 +344,9 @@ fn forms_hold_their_shapes_and_bound_them() {
         let beyond = flats.chain(rounds).fold(f64::NEG_INFINITY, f64::max);
         if value < -1e-6 {
             assert!(beyond <= 1e-6, "{}: {beyond} beyond a face, where the value is {value}", row.name);
-            for [nx, ny, nz] in [[1.0, 0.0, 0.0], [-0.6, 0.8, 0.0], [0.48, 0.64, 0.6], [-0.48, 0.64, -0.6], [0.0, 0.0, 1.0]] {
+            for [nx, ny, nz] in
+                [[1.0, 0.0, 0.0], [-0.6, 0.8, 0.0], [0.48, 0.64, 0.6], [-0.48, 0.64, -0.6], [0.0, 0.0, 1.0]]
+            {
                 let reaches = form.discs.iter().map(|disc| {
                     let [cx, cy, cz] = disc.center.map(weighted);
                     let across = f64::hypot(nx, ny) * weighted(disc.radius);
