@@ -208,7 +208,6 @@ fn hostile_input_is_an_error() {
         ("doubling", "function f(s, n) = n == 0 ? s : f(str(s, s), n - 1); echo(len(f(\"abc\", 60))); cube(1);".into()),
         ("lists", "function f(s, n) = n == 0 ? s : f(concat(s, s), n - 1); echo(len(f([1], 60))); cube(1);".into()),
         ("missing", "include <nowhere.scad>\ncube(1);".into()),
-        ("cycle", "include <cycle.csg>\ncube(1);".into()),
         ("names", "cube(size);\nspere(1);".into()),
         ("assertion", "assert(1 > 2, \"no\"); cube(1);".into()),
         ("empty_name", "= 3;".into()),

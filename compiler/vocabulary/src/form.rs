@@ -61,8 +61,12 @@ pub enum Growth {
     },
     /// By other arguments, and by moving the shape along the normal: from the arguments and the length. None if it can't
     /// be moved that far.
-    Constant(fn(&[f64], f64) -> Option<(Vec<f64>, f64)>),
+    Constant(fn(&[f64], f64) -> Grown),
 }
+
+/// A shape's arguments when a face has moved, and how far the shape has along that face's normal; none if the face can't move
+/// that far.
+pub type Grown = Option<(Vec<f64>, f64)>;
 
 /// A disc across z, grown by a ball.
 #[derive(Clone, Copy, Debug)]
@@ -379,7 +383,7 @@ const fn scaled(direction: [f64; 3]) -> Disc {
 }
 
 /// A frustum drawn out beyond the end with the radius `top`, along its slant; not to its tip.
-fn frustum(bottom: f64, top: f64, half_height: f64, by: f64) -> Option<(Vec<f64>, f64)> {
+fn frustum(bottom: f64, top: f64, half_height: f64, by: f64) -> Grown {
     let slope = 0.5 * (top - bottom) / half_height;
     // What narrows is drawn out by half of what is left of it at the most.
     let by = if slope < 0.0 { by.min(-0.5 * top / slope) } else { by };

@@ -51,6 +51,12 @@ impl Face {
         }
     }
 
+    /// A flat face moved out by a length.
+    pub(super) fn moved(&self, by: &Linear) -> Option<Face> {
+        let Face::Flat { normal, offset } = self else { return None };
+        Some(Face::Flat { normal: *normal, offset: offset.clone().plus(by, 1.0) })
+    }
+
     /// Whether two faces lie in each other, to a tolerance, and bound the same side.
     pub(super) fn is(&self, other: &Face, tolerance: f64) -> bool {
         let near = |a: &Linear, b: &Linear| a.clone().plus(b, -1.0).range().magnitude() <= tolerance;
@@ -134,6 +140,11 @@ pub(super) fn faces(builder: &Builder, node: NodeId, frame: PointId) -> Faces {
             list.push(Face::Flat { normal: [0.0, 0.0, -1.0], offset: Linear::from(0.0) });
             placed(Faces { list, are_whole }, &map)
         }
+        Node::Adjust(row, arguments, child) if is_rounding(row, arguments) => {
+            let by = Linear::from(&arguments[0]);
+            let flats = faces(builder, *child, frame).list.into_iter().filter_map(|face| face.moved(&by));
+            Faces { list: flats.collect(), are_whole: false }
+        }
         leaf => {
             let Some((point, local)) = leaf_faces(leaf) else { return Faces::default() };
             match Place::of(builder, point, frame) {
@@ -147,6 +158,11 @@ pub(super) fn faces(builder: &Builder, node: NodeId, frame: PointId) -> Faces {
             }
         }
     }
+}
+
+/// Whether an adjustment grows what is below it, and so rounds its edges.
+pub(super) fn is_rounding(row: &Row, arguments: &[Scalar]) -> bool {
+    *row == rows::OFFSET && arguments.first().is_some_and(|by| by.range().min > 0.0)
 }
 
 /// The faces of a shape where it is asked, and that point.

@@ -7,7 +7,7 @@ use chiaro_vocabulary::form::{Flat, Growth, Round};
 use chiaro_vocabulary::{Class, Row, rows};
 
 use super::super::Lowering;
-use super::face::{Face, weighted};
+use super::face::{Face, is_rounding, weighted};
 use super::linear::Linear;
 use super::outline;
 use super::place::{Map, Place, SAME};
@@ -73,8 +73,25 @@ impl Lowering {
                 Some(Grown { node, added })
             }
             Node::Extrude(height, child, point) => self.grown_extrusion((&height, child, point), node, way),
+            Node::Adjust(row, arguments, child) if is_rounding(row, &arguments) => {
+                self.grown_rounding(&arguments[0], child, node, way)
+            }
             leaf => self.grown_leaf(&leaf, node, way),
         }
+    }
+
+    /// What has round edges, with the flat part of a face moved: together with what is within, drawn out through that part.
+    fn grown_rounding(&mut self, by: &Scalar, child: NodeId, node: NodeId, way: Move) -> Option<Grown> {
+        let face = way.face.moved(&Linear::from(by).times(-1.0))?;
+        if way.by < 0.0 {
+            return None;
+        }
+        let inner = Move { face: &face, by: way.by + by.range().max, ..way };
+        let Grown { node: within, added } = self.grown(child, inner)?;
+        let (span, facts) = (self.builder.span(node), *self.builder.facts(node));
+        let lipschitz = facts.lipschitz.max(self.builder.facts(within).lipschitz);
+        let whole = Node::Boolean(Operation::Union, None, vec![node, within]);
+        Some(Grown { node: self.builder.node(whole, span, Class::Bound, lipschitz), added })
     }
 
     /// What was added to one operand of an intersection, within the others that have an end.
