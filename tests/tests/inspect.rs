@@ -26,7 +26,7 @@ difference() {
     hole(-8);
     hole(8);
 }
-translate([0, -4, 0]) sphere(3);
+translate([0, -4, 0]) sphere(3.1);
 ";
 
 struct Looked {

@@ -35,6 +35,7 @@ pub struct MaterialId(pub u32);
 
 /// Where a shape is asked.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[expect(clippy::large_enum_variant, reason = "nearly all points are maps")]
 pub enum Point {
     /// The point that the scene is asked about, with three coordinates. Always point 0.
     World,

@@ -22,7 +22,7 @@ mod separate;
 
 use chiaro_solid::{Affine, Joint, Scalar};
 use chiaro_syntax::{Diagnostic, Span};
-use chiaro_vocabulary::{Bounds, rows};
+use chiaro_vocabulary::rows;
 
 use super::Lowering;
 use super::context::Context;
@@ -134,9 +134,7 @@ impl Lowering {
     ) -> NodeId {
         let frame = context.base;
         let query = Query { builder: &self.builder, frame, tolerance };
-        let Some(depth) = depth(&self.builder.extent_at(cutter, frame).bounds, self.builder.dimension(frame)) else {
-            return cutter;
-        };
+        let Some(depth) = self.depth(cutter, frame) else { return cutter };
         let by = depth + reach;
         let mut faces: Vec<(Face, f64, bool)> = Vec::new();
         for face in query.faces(cutter).list {
@@ -360,9 +358,7 @@ impl Lowering {
     /// What lies to both sides of where two nodes touch, within both of them: what both come to have in common when both
     /// are drawn out across the face.
     fn bridge(&mut self, pair: [NodeId; 2], face: &Face, tolerance: f64, frame: PointId, span: Span) -> Option<NodeId> {
-        let dimension = self.builder.dimension(frame);
-        let depths = pair.map(|id| depth(&self.builder.extent_at(id, frame).bounds, dimension));
-        let by = depths[0]?.min(depths[1]?);
+        let by = self.depth(pair[0], frame)?.min(self.depth(pair[1], frame)?);
         let forth = self.grown(pair[0], Move { face, frame, by, tolerance })?;
         let back = self.grown(pair[1], Move { face: &face.flipped(), frame, by, tolerance })?;
         self.intersection(vec![forth.node, back.node], None, span)
@@ -426,6 +422,34 @@ impl Lowering {
         if bounds.is_finite() { bounds.diagonal() } else { 1.0 }
     }
 
+    /// As deep as a point of a face can be within a node: half a ball of that radius fits into the boxes of its shapes. It
+    /// is the same however the node is turned, so that equal parts stay equal.
+    fn depth(&self, node: NodeId, frame: PointId) -> Option<f64> {
+        let within = |point: PointId| {
+            let dimension = self.builder.dimension(point);
+            let mut sizes = self.builder.extent_at(node, point).bounds.size()[..dimension].to_vec();
+            sizes.sort_by(f64::total_cmp);
+            Some(sizes[0].min(0.5 * sizes[1])).filter(|depth| depth.is_finite() && *depth > 0.0)
+        };
+        match self.builder.get(node) {
+            Node::Paint(_, child) => self.depth(*child, frame),
+            Node::Boolean(operation, _, children) => {
+                let positive = children.iter().filter(|child| !matches!(self.builder.get(**child), Node::Negate(_)));
+                let depths = positive.filter_map(|child| self.depth(*child, frame));
+                match operation {
+                    Operation::Union => depths.reduce(f64::max),
+                    Operation::Intersection => depths.reduce(f64::min),
+                }
+            }
+            Node::Adjust(row, arguments, child) if **row == rows::OFFSET => {
+                Some(self.depth(*child, frame)? + arguments[0].range().max.max(0.0))
+            }
+            Node::Shape(_, _, point) | Node::Outline(_, point) | Node::Polytope(_, point) => within(*point),
+            Node::Extrude(_, _, point) => within(*point),
+            _ => within(frame),
+        }
+    }
+
     fn tolerance(&self, node: NodeId, frame: PointId) -> f64 {
         TOLERANCE * self.size(node, frame)
     }
@@ -440,14 +464,6 @@ impl Lowering {
             self.say(diagnostic);
         }
     }
-}
-
-/// As deep as a point of a face can be within a box: half a ball of that radius fits into it.
-fn depth(bounds: &Bounds, dimension: usize) -> Option<f64> {
-    let mut sizes = bounds.size()[..dimension].to_vec();
-    sizes.sort_by(f64::total_cmp);
-    let depth = sizes[0].min(0.5 * sizes[1]);
-    (depth.is_finite() && depth > 0.0).then_some(depth)
 }
 
 /// A turn that takes the z axis to a direction.

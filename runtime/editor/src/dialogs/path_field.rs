@@ -114,8 +114,8 @@ impl PathField {
 pub(super) fn meant(path: &str) -> String {
     let begins = |at: &usize| *at == 0 || path[..*at].ends_with(is_separator);
     let is_absolute = |path: &str| Path::new(path).is_absolute() || path.starts_with("~/");
-    let starts = path.char_indices().map(|(at, _)| at).filter(|at| begins(at) && is_absolute(&path[*at..]));
-    let path = &path[starts.last().unwrap_or(0)..];
+    let mut starts = path.char_indices().map(|(at, _)| at).filter(|at| begins(at) && is_absolute(&path[*at..]));
+    let path = &path[starts.next_back().unwrap_or(0)..];
     match (path.strip_prefix("~/"), std::env::home_dir()) {
         (Some(rest), Some(home)) => home.join(rest).display().to_string(),
         _ => path.to_owned(),

@@ -69,7 +69,7 @@ pub(super) fn grown(region: &Region, normal: [f64; 2], offset: f64, by: f64, tol
         Edge::Arc { center, radius, .. } => beyond([center[0] + radius * normal[0], center[1] + radius * normal[1]]),
     });
     let whole = if goes_beyond {
-        Region::union(&[&[region.clone()], added.as_slice()].concat())
+        Region::union(&[std::slice::from_ref(&region), added.as_slice()].concat())
     } else {
         let moved = |contour: &Contour| Contour { edges: moved_edges(contour, &is_there, normal, by) };
         Region { contours: region.contours.iter().map(moved).collect() }
