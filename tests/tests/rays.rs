@@ -124,7 +124,9 @@ fn the_graphics_adapter_meets_what_tiny_steps_find() {
             let (from, direction) = view.ray(pixel.map(|x| f64::from(x) + 0.5), size);
             let ray = Ray { from, direction, length: reach };
             let traced = inspector.pick(pixel).unwrap();
-            let slack = 1e-4 * (1.0 + view.distance);
+            // Steps go a hundredth of a pixel beyond what is free.
+            let pixel = view.distance * view.field_of_view.to_radians() / f64::from(size[1]);
+            let slack = 0.02 * pixel;
             tally.add(&ray, &evaluator, traced, slack, &format!("{name} at {pixel:?}"));
         }
     }

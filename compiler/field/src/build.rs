@@ -23,6 +23,8 @@ pub(crate) struct Builder {
     facts: Vec<Facts>,
     extents: Vec<Extent>,
     spans: Vec<Span>,
+    /// How many nodes are above one another at the most below each one, itself counted.
+    heights: Vec<u32>,
 }
 
 impl Builder {
@@ -35,6 +37,7 @@ impl Builder {
             facts: Vec::new(),
             extents: Vec::new(),
             spans: Vec::new(),
+            heights: Vec::new(),
         };
         builder.point(Point::World);
         builder
@@ -68,6 +71,9 @@ impl Builder {
             self.extents.push(extent);
             self.facts.push(Facts { bounds: extent.bounds, growth: extent.endless_growth(), class, lipschitz });
             self.spans.push(span);
+            let children = self.nodes.items[id as usize].children();
+            let below = children.iter().map(|child| self.heights[child.0 as usize]).max();
+            self.heights.push(1 + below.unwrap_or(0));
         } else {
             // What is lowered twice, from two places, is known to be no better than from either.
             let facts = &mut self.facts[id as usize];
@@ -98,6 +104,11 @@ impl Builder {
     /// How many coordinates a point has.
     pub(crate) fn dimension(&self, id: PointId) -> usize {
         graph::dimension(&self.points.items, id)
+    }
+
+    /// How many nodes are above one another at the most in a node.
+    pub(crate) fn height(&self, id: NodeId) -> u32 {
+        self.heights[id.0 as usize]
     }
 
     pub(crate) fn facts(&self, id: NodeId) -> &Facts {

@@ -328,7 +328,7 @@ fn distances_to_regular_polyhedra_are_exact_to_the_last_digits() {
 
 #[test]
 fn forms_hold_their_shapes_and_bound_them() {
-    sample(|row, arguments, point| {
+    sample(|row, point, arguments| {
         let value: f64 = ask(row, point, arguments);
         let form = row.form;
         let [x, y, z] = [point[0], point[1], point.get(2).copied().unwrap_or(0.0)];

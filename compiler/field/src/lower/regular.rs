@@ -28,7 +28,7 @@ use super::Lowering;
 use super::context::Context;
 use crate::graph::{Node, NodeId, Operation, Point, PointId};
 use crate::hull::{Vec3, cross, dot, length, scale};
-use face::Face;
+use face::{Face, MOST_HEIGHT};
 use grow::{Grown, Move};
 use separate::{Body, Query};
 
@@ -431,6 +431,9 @@ impl Lowering {
             sizes.sort_by(f64::total_cmp);
             Some(sizes[0].min(0.5 * sizes[1])).filter(|depth| depth.is_finite() && *depth > 0.0)
         };
+        if self.builder.height(node) > MOST_HEIGHT {
+            return within(frame);
+        }
         match self.builder.get(node) {
             Node::Paint(_, child) => self.depth(*child, frame),
             Node::Boolean(operation, _, children) => {

@@ -87,6 +87,7 @@ pub(super) enum Kind {
 
 impl Scope<'_, '_> {
     /// The distance to a region.
+    #[inline(never)]
     pub(super) fn outline(&mut self, region: &Region, point: Value) -> Value {
         let pieces = pieces(region);
         let key = (Kind::Outline, pieces.iter().flat_map(Piece::numbers).map(f64::to_bits).collect());
@@ -96,6 +97,7 @@ impl Scope<'_, '_> {
     }
 
     /// The distance to a polytope.
+    #[inline(never)]
     pub(super) fn polytope(&mut self, triangles: &[[[f64; 3]; 3]], point: Value) -> Value {
         let key = (Kind::Polytope, triangles.iter().flatten().flatten().map(|number| number.to_bits()).collect());
         let vec3 = self.emission.types.vec3;
@@ -104,6 +106,7 @@ impl Scope<'_, '_> {
     }
 
     /// The distance, within its level, to the section of stages with flat sides.
+    #[inline(never)]
     pub(super) fn loft(&mut self, loft: &Loft, point: Value) -> Value {
         let key = (Kind::Loft, loft.numbers().map(f64::to_bits).collect());
         let vec3 = self.emission.types.vec3;

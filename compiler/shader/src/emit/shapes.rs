@@ -55,30 +55,6 @@ impl Scope<'_, '_> {
         let span = graph.spans.get(id.0 as usize).copied();
         let outer = std::mem::replace(&mut self.emission.current, span);
         let value = match &graph.nodes[id.0 as usize] {
-            Node::Nothing => self.builder.literal(FAR),
-            Node::Shape(row, arguments, point) => {
-                let point = match row.kind {
-                    Kind::Plane => self.plane_point(*point),
-                    _ => self.space_point(*point),
-                };
-                let distance = self.call_row(row, point, arguments);
-                self.name_node(distance, id)
-            }
-            Node::Outline(region, point) => {
-                let point = self.plane_point(*point);
-                let distance = self.outline(region, point);
-                self.name_node(distance, id)
-            }
-            Node::Loft(loft, point) => {
-                let point = self.space_point(*point);
-                let distance = self.loft(loft, point);
-                self.name_node(distance, id)
-            }
-            Node::Polytope(triangles, point) => {
-                let point = self.space_point(*point);
-                let distance = self.polytope(triangles, point);
-                self.name_node(distance, id)
-            }
             Node::Boolean(operation, None, children) => self.sharp(id, *operation, children),
             Node::Boolean(operation, Some(joint), children) => self.joined(id, *operation, joint, children),
             Node::Negate(child) => {
@@ -118,9 +94,45 @@ impl Scope<'_, '_> {
                 self.name_node(joined, id)
             }
             Node::Paint(_, child) => self.distance(*child),
+            leaf => self.leaf(id, leaf),
         };
         self.emission.current = outer;
         value
+    }
+
+    /// The distance to what has no nodes below it. A function of its own, so that the frames of deep scenes stay small.
+    #[inline(never)]
+    fn leaf(&mut self, id: NodeId, node: &Node) -> Value {
+        match node {
+            Node::Nothing => self.builder.literal(FAR),
+            Node::Shape(row, arguments, point) => {
+                let point = match row.kind {
+                    Kind::Plane => self.plane_point(*point),
+                    _ => self.space_point(*point),
+                };
+                let distance = self.call_row(row, point, arguments);
+                self.name_node(distance, id)
+            }
+            Node::Outline(region, point) => {
+                let point = self.plane_point(*point);
+                let distance = self.outline(region, point);
+                self.name_node(distance, id)
+            }
+            Node::Loft(loft, point) => {
+                let point = self.space_point(*point);
+                let distance = self.loft(loft, point);
+                self.name_node(distance, id)
+            }
+            Node::Polytope(triangles, point) => {
+                let point = self.space_point(*point);
+                let distance = self.polytope(triangles, point);
+                self.name_node(distance, id)
+            }
+            _ => {
+                self.emission.fail("a node of the field graph is no shape");
+                self.builder.literal(FAR)
+            }
+        }
     }
 
     /// Calls a row's function with its first argument and its flattened arguments.

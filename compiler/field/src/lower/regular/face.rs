@@ -13,6 +13,9 @@ use crate::build::Builder;
 use crate::graph::{Node, NodeId, Operation, PointId};
 use crate::hull::{Vec3, dot, scale};
 
+/// Of nodes that are nested deeper than this nothing but the box is known: recursion ends there.
+pub(super) const MOST_HEIGHT: u32 = 48;
+
 /// The inner side of a face, in the coordinates of a frame.
 #[derive(Clone, Debug)]
 pub(super) enum Face {
@@ -121,6 +124,9 @@ fn offsets(vector: &[Linear; 3], axis: Vec3) -> (f64, f64) {
 
 /// The faces of a node in the coordinates of a frame. What is not known is left out.
 pub(super) fn faces(builder: &Builder, node: NodeId, frame: PointId) -> Faces {
+    if builder.height(node) > MOST_HEIGHT {
+        return Faces::default();
+    }
     match builder.get(node) {
         Node::Paint(_, child) => faces(builder, *child, frame),
         Node::Negate(child) => {
@@ -279,6 +285,9 @@ pub(super) fn discs(builder: &Builder, node: NodeId, frame: PointId) -> Option<V
 }
 
 fn known_discs(builder: &Builder, node: NodeId, frame: PointId) -> Option<Vec<Disc>> {
+    if builder.height(node) > MOST_HEIGHT {
+        return None;
+    }
     match builder.get(node) {
         Node::Paint(_, child) => known_discs(builder, *child, frame),
         Node::Boolean(Operation::Union, None, children) => {

@@ -7,7 +7,7 @@ use chiaro_vocabulary::form::{Flat, Growth, Round};
 use chiaro_vocabulary::{Class, Row, rows};
 
 use super::super::Lowering;
-use super::face::{Face, is_rounding, weighted};
+use super::face::{Face, MOST_HEIGHT, is_rounding, weighted};
 use super::linear::Linear;
 use super::outline;
 use super::place::{Map, Place, SAME};
@@ -39,6 +39,9 @@ pub(super) struct Move<'a> {
 impl Lowering {
     /// The node with all its faces that lie in a face moved out of the solid; none if none does that can be moved.
     pub(super) fn grown(&mut self, node: NodeId, way: Move) -> Option<Grown> {
+        if self.builder.height(node) > MOST_HEIGHT {
+            return None;
+        }
         let (span, facts) = (self.builder.span(node), *self.builder.facts(node));
         match self.builder.get(node).clone() {
             Node::Paint(material, child) => {

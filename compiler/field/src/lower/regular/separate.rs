@@ -4,7 +4,7 @@
 
 use chiaro_vocabulary::{Class, rows};
 
-use super::face::{self, Disc, Face, Faces};
+use super::face::{self, Disc, Face, Faces, MOST_HEIGHT};
 use crate::build::Builder;
 use crate::extent;
 use crate::graph::{Node, NodeId, Operation, PointId};
@@ -41,6 +41,9 @@ impl Query<'_> {
 
     /// How far a node keeps from a face on its inner side, at the least; negative if it may cross it.
     pub(super) fn gap(&self, node: NodeId, face: &Face) -> f64 {
+        if self.is_too_deep(node) {
+            return self.gap_of_discs(node, face);
+        }
         match self.builder.get(node) {
             Node::Paint(_, child) => self.gap(*child, face),
             Node::Boolean(Operation::Union, joint, children) => {
@@ -64,6 +67,10 @@ impl Query<'_> {
         }
     }
 
+    fn is_too_deep(&self, node: NodeId) -> bool {
+        self.builder.height(node) > MOST_HEIGHT
+    }
+
     fn gap_of_discs(&self, node: NodeId, face: &Face) -> f64 {
         match face::discs(self.builder, node, self.frame) {
             Some(discs) => least_gap(&discs, face),
@@ -80,6 +87,9 @@ impl Query<'_> {
     pub(super) fn is_apart(&self, body: &Body, node: NodeId) -> bool {
         if body.beyond.iter().any(|face| self.is_within(node, face)) {
             return true;
+        }
+        if self.is_too_deep(node) {
+            return self.is_beyond(body, node);
         }
         match self.builder.get(node) {
             Node::Paint(_, child) => self.is_apart(body, *child),
@@ -120,6 +130,9 @@ impl Query<'_> {
 
     /// Whether a body lies within a node.
     pub(super) fn holds(&self, node: NodeId, body: &Body) -> bool {
+        if self.is_too_deep(node) {
+            return false;
+        }
         match self.builder.get(node) {
             Node::Paint(_, child) => self.holds(*child, body),
             Node::Boolean(Operation::Union, _, children) => children.iter().any(|child| self.holds(*child, body)),
@@ -156,6 +169,9 @@ fn least_gap(discs: &[Disc], face: &Face) -> f64 {
 impl Query<'_> {
     /// The parts of a node, not taken away from it, that have a face.
     pub(super) fn parts_with(&self, node: NodeId, face: &Face) -> Vec<NodeId> {
+        if self.is_too_deep(node) {
+            return Vec::new();
+        }
         match self.builder.get(node) {
             Node::Paint(_, child) => self.parts_with(*child, face),
             Node::Boolean(_, _, children) => children.iter().flat_map(|child| self.parts_with(*child, face)).collect(),
