@@ -6,7 +6,7 @@ use crate::Error;
 use crate::field::{Sampler, Stage};
 use crate::lattice::Lattice;
 use crate::search::{CellId, Cells};
-use crate::vector::{add, scale, sub, unit};
+use crate::vector::{add, dot, scale, sub, unit};
 
 /// A point at which the surface crosses an edge of the lattice.
 #[derive(Clone, Debug)]
@@ -20,6 +20,14 @@ pub(crate) struct Crossing {
     pub(crate) point: [f64; 3],
     /// The unit normal, outwards.
     pub(crate) normal: [f64; 3],
+}
+
+impl Crossing {
+    /// The direction in which the edge leaves the solid.
+    fn outwards(&self) -> [f64; 3] {
+        let direction = if self.leaves { 1.0 } else { -1.0 };
+        std::array::from_fn(|axis| if axis == self.axis { direction } else { 0.0 })
+    }
 }
 
 /// All crossings, in the order of their cells.
@@ -126,15 +134,21 @@ fn narrow(lattice: &Lattice, cells: &Cells, brackets: &mut [Bracket], sampler: &
     Ok(())
 }
 
-/// Finds the planes that touch the surface at the crossings. Their points move by what is left of the values there, so that
-/// crossings of a flat face are all in its plane, as far as double precision goes.
+/// Finds the planes that touch the surface at the crossings. Their points move into these, so that crossings of a flat face
+/// are all in its plane, as far as double precision goes.
+///
+/// The gradients are those a little inside. At a crossing itself, the value of a flat face is often zero to the last digit or
+/// nothing but the rounding of numbers; there a distance, which is a root, has no gradient or one of any direction.
 fn touch(lattice: &Lattice, crossings: &mut [Crossing], sampler: &mut Sampler) -> Result<(), Error> {
+    /// How far from the crossings gradients are asked for, in cells: no edge of a face should be between.
+    const INSIDE: f64 = 1e-6;
     /// How far a point may move, in cells.
     const LITTLE: f64 = 1e-6;
-    let gradients = sampler.gradients(Stage::Crossing, crossings, |crossing| crossing.point)?;
+    let inside = |crossing: &Crossing| add(crossing.point, scale(crossing.outwards(), -INSIDE * lattice.step));
+    let gradients = sampler.gradients(Stage::Crossing, crossings, inside)?;
     let normals = normals(lattice, crossings, &gradients, sampler)?;
     for ((crossing, normal), dual) in crossings.iter_mut().zip(normals).zip(gradients) {
-        let way = -dual.value / dual.slope();
+        let way = dot(normal, sub(inside(crossing), crossing.point)) - dual.value / dual.slope();
         if way.abs() < LITTLE * lattice.step {
             crossing.point = add(crossing.point, scale(normal, way));
         }
@@ -143,7 +157,7 @@ fn touch(lattice: &Lattice, crossings: &mut [Crossing], sampler: &mut Sampler) -
     Ok(())
 }
 
-/// The directions of the gradients at the crossings. Where a gradient vanishes, that of differences over a thousandth of
+/// The directions of the gradients. Where one vanishes, that of differences over a thousandth of
 /// a cell, or else the direction of the edge.
 fn normals(
     lattice: &Lattice,
@@ -164,11 +178,7 @@ fn normals(
     for (number, values) in vague.iter().zip(values.chunks_exact(6)) {
         normals[*number] = unit(sub([values[0], values[2], values[4]], [values[1], values[3], values[5]]));
     }
-    let along_edge = |crossing: &Crossing| {
-        let direction = if crossing.leaves { 1.0 } else { -1.0 };
-        std::array::from_fn(|axis| if axis == crossing.axis { direction } else { 0.0 })
-    };
-    Ok(normals.into_iter().zip(crossings).map(|(normal, crossing)| normal.unwrap_or(along_edge(crossing))).collect())
+    Ok(normals.into_iter().zip(crossings).map(|(normal, crossing)| normal.unwrap_or(crossing.outwards())).collect())
 }
 
 fn sign(side: usize) -> f64 {

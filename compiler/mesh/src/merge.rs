@@ -197,8 +197,27 @@ impl<'a> Merger<'a> {
         self.fans.stays_a_surface(gone, kept)
             && self.fans.of(gone).iter().all(|triangle| {
                 let corners = self.fans.corners(*triangle);
-                corners.contains(&kept) || self.may_become(*triangle, corners, gone, kept)
+                corners.contains(&kept)
+                    || self.is_folded(corners, gone, kept)
+                    || self.may_become(*triangle, corners, gone, kept)
             })
+    }
+
+    /// Whether a triangle vanishes when an edge collapses. Vertices of several cells may be put on the same corner, and where
+    /// the surface about a vertex folds back onto itself, two of these are around it. Once they are neighbours, they are
+    /// welded, and both triangles between them vanish.
+    fn is_folded(&self, corners: [u32; 3], gone: u32, kept: u32) -> bool {
+        let is_twin = |corner: &u32| {
+            let way = sub(self.vertices[*corner as usize], self.vertices[kept as usize]);
+            *corner != gone && length(way) < self.limits.shortest
+        };
+        let Some(twin) = corners.into_iter().find(is_twin) else { return false };
+        let (around_gone, around_kept) = (self.fans.neighbours(gone), self.fans.neighbours(kept));
+        let is_common = |other: &u32| {
+            *other != gone && *other != kept && (around_gone.contains(other) || around_kept.contains(other))
+        };
+        let around_twin = self.fans.neighbours(twin);
+        !around_twin.contains(&kept) && around_twin.iter().filter(|other| is_common(other)).count() == 2
     }
 
     fn may_become(&self, triangle: u32, corners: [u32; 3], gone: u32, kept: u32) -> bool {
