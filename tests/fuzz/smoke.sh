@@ -22,6 +22,6 @@ cargo fuzz build --fuzz-dir . --sanitizer none
 for target in "${of_text[@]}" "${of_bytes[@]}"; do
     echo "fuzzing $target for $seconds seconds"
     cargo fuzz run --fuzz-dir . --sanitizer none "$target" -- \
-        -max_total_time="$seconds" -timeout=20 -rss_limit_mb=4096 -max_len=4096 -verbosity=0 -print_final_stats=1 2>&1 |
+        -max_total_time="$seconds" -seed=1 -timeout=60 -rss_limit_mb=4096 -max_len=4096 -verbosity=0 -print_final_stats=1 2>&1 |
         sed -n '/^stat::number_of_executed_units/p; /^stat::/!p'
 done
