@@ -210,8 +210,9 @@ impl Session {
     pub(crate) fn activate(&mut self, index: usize) {
         self.active = index.min(self.documents.len() - 1);
         let (id, name) = (self.active().id, self.active().name());
-        let is_part =
-            self.outcome.as_ref().is_some_and(|outcome| outcome.sources.iter().any(|(_, file)| file.name == name));
+        // (What was compiled before may be another text, of which the scene knows nothing.)
+        let own = self.outcome.as_ref().filter(|outcome| outcome.document == self.scene);
+        let is_part = own.is_some_and(|outcome| outcome.sources.iter().any(|(_, file)| file.name == name));
         if id != self.scene && !is_part {
             self.draw(id);
         }

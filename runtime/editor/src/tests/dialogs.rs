@@ -27,7 +27,7 @@ fn films_are_recorded_to_their_end_or_not_at_all() {
     let mut person = Person::with(
         "translate([0, 9, 20 * $t]) sphere(5);\nfor (i = [0 : 2 * $t]) translate([9 * i, 0, 0]) cube(5);\n",
     );
-    person.until_drawn();
+    person.until_linked();
     person.presses(CTRL_SHIFT, Key::R);
     person.sets("Size", &[80.0, 60.0]);
     person.sets("Samples", &[1.0]);

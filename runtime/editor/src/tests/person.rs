@@ -225,6 +225,8 @@ impl Person {
     #[track_caller]
     pub(super) fn sees(&mut self, name: &str) {
         self.harness.remove_cursor();
+        // A caret that blinks is there after some numbers of frames, and not after others.
+        self.harness.ctx.all_styles_mut(|style| style.visuals.text_cursor.blink = false);
         self.frames(2);
         let is_outlined = |editor: &Editor| editor.viewport.selection.is_none() || editor.viewport.is_outlined();
         self.until("outlined", is_outlined);

@@ -27,6 +27,8 @@ fn a_click_on_a_surface_goes_to_its_expression() {
     let outlined = |editor: &Editor| editor.viewport.is_outlined();
     person.until("outlined", outlined);
     person.until_drawn();
+    // The place in the text is framed for less than a second.
+    person.frames(10);
     person.sees("selection");
 }
 
@@ -93,9 +95,18 @@ fn dragging_turns_the_scene() {
     let after = person.editor().viewport.drawn().unwrap();
     assert!((after.rotation[2] - before.rotation[2]).abs() > 5.0, "{before:?} {after:?}");
     assert!(matches!(person.editor().viewport.eye, Eye::At(_)));
+    // Moved out of sight and framed again, it is turned as before.
+    let are_seen = |person: &Person| {
+        let place = person.editor().viewport.place();
+        [[-18.0, 0.0, 0.0], [20.0, 0.0, 0.0]].map(|end| place.contains(seen(person, end)))
+    };
+    person.drags(at, vec2(250.0, 0.0), Modifiers::SHIFT);
+    person.until_drawn();
+    assert_ne!(are_seen(&person), [true; 2]);
     person.presses(Modifiers::NONE, Key::F6);
     person.until_drawn();
-    assert!(matches!(person.editor().viewport.eye, Eye::Framed(..)));
+    assert_eq!(are_seen(&person), [true; 2]);
+    assert_eq!(person.editor().viewport.drawn().unwrap().rotation, after.rotation);
 }
 
 #[test]
@@ -206,6 +217,18 @@ fn a_look_is_that_of_one_text() {
     person.clicks_on("main.csg");
     person.frames(2);
     assert_eq!(person.editor().viewport.look, normals);
+}
+
+#[test]
+fn a_text_that_is_left_and_shown_again_at_once_is_drawn() {
+    let mut person = Person::with_files(&[("main.csg", SCENE), ("other.csg", "cube(9);\n")]);
+    person.until_drawn();
+    // Nothing is compiled meanwhile.
+    for name in ["other.csg", "main.csg"] {
+        let path = person.file(name);
+        person.editor_mut().open(&path);
+        assert_eq!(person.editor().session.scene_document().title(), name);
+    }
 }
 
 #[test]

@@ -182,6 +182,7 @@ fn words_are_found_and_replaced() {
     person.harness.get_by_role_and_label(egui::Role::TextInput, "Replace by").focus();
     person.frames(1);
     person.types("side");
+    person.until_linked();
     person.sees("replacing");
     person.clicks_on("Replace all");
     assert_eq!(person.text(), "side = 1;\nab = side;\ncube(side + ab);\n");
