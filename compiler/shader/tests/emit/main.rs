@@ -308,7 +308,7 @@ fn one_material_needs_no_distances() {
 #[test]
 fn live_numbers_come_from_the_uniform() {
     let mut scene = Scene::new();
-    let live: Vec<Scalar> = (0..6).map(|id| Scalar::parameter(ParameterId(id), Interval::new(0.0, 9.0))).collect();
+    let live: Vec<Scalar> = (0..6).map(|id| Scalar::parameter(ParameterId(id), Interval::new(-9.0, 9.0))).collect();
     scene.0.slots = live.clone();
     let by = Affine::translation([live[1].clone(), Scalar::ZERO, Scalar::ZERO]);
     let at = scene.at(Point::Affine(by, PointId(0)));
