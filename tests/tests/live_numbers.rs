@@ -262,8 +262,7 @@ fn no_value_of_a_live_number_breaks_the_field() {
             failures.push(format!("seed {seed}: {}\n{text}", error.message));
         }
     }
-    println!("{programs} programs: {seen:?}, {} failures", failures.len());
-    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+    assert!(failures.is_empty(), "{} failures of {seen:?}:\n{}", failures.len(), failures.join("\n"));
     // The test is worth something only if many of the programs are scenes, with live numbers and without.
     assert!(4 * seen.compiled > programs, "{seen:?}");
     assert!(8 * seen.live > programs && 16 * seen.recompiled > programs, "{seen:?}");

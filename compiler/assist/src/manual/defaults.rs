@@ -113,6 +113,8 @@ fn module_call(entry: &Entry, arguments: &str) -> String {
     let children = match (entry.takes_children, OF_THE_PLANE.contains(&entry.name)) {
         (false, _) => ";",
         (true, true) => "{ translate([5, 0]) square(4); translate([7, 2]) square(4); }",
+        // Of solids in each other the distance within is not known, which a wall of one thickness asks for.
+        (true, false) if entry.name == "shell" => "{ cube(4); }",
         (true, false) => "{ cube(4); translate([2, 2, 2]) cube(4); }",
     };
     format!("{}({arguments}) {children}", entry.name)
