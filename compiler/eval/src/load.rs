@@ -139,7 +139,7 @@ fn parse_source(sources: &Sources, id: FileId) -> (File, Vec<Diagnostic>) {
     parse(id, &source.text, Dialect::of_file(&source.name))
 }
 
-/// The only error of a file that is neither called a scene nor is one: what is in it is nobody's business who reads messages.
+/// The only error of a file that neither has a scene's name nor parses as one. It does not quote the file's text.
 fn foreign(sources: &Sources, id: FileId, error: &Diagnostic, place: Span) -> Diagnostic {
     let file = sources.get(id);
     let line = error.span.map_or(1, |span| file.line_column(span.start).0);

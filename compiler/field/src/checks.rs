@@ -1,5 +1,5 @@
-//! What no field may have: numbers that are none, and places too far away. Whoever asks the field, be it a shader, a mesh
-//! or a single distance, relies on this.
+//! What no field may have: numbers that are none, and places too far away. Shaders, meshes and single distances
+//! rely on this.
 
 use chiaro_solid::Scalar;
 use chiaro_syntax::Diagnostic;
@@ -21,7 +21,7 @@ pub(crate) fn remark(graph: &Graph) -> Option<Diagnostic> {
 
 /// Says which node depends on a number that is not finite, or may not be.
 fn odd_number(graph: &Graph) -> Option<Diagnostic> {
-    // The odd number of each point or of those it is computed from: points stand behind those.
+    // The odd number of each point or of those it is computed from: points come after those.
     let mut of_points: Vec<Option<&Scalar>> = Vec::with_capacity(graph.points.len());
     for point in &graph.points {
         let mut odd = point.parent().and_then(|parent| of_points[parent.0 as usize]);

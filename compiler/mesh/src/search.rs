@@ -105,7 +105,7 @@ fn misses_parts(lattice: &Lattice, blocks: &[Site], cells: &Cells, sampler: &mut
     has_surface(lattice, &met, sampler)
 }
 
-/// Whether the value changes its sign at any of these points, where it is zero: faces of solids that lie in each other leave
+/// Whether the value changes its sign at any of these points, where it is zero: coincident faces of solids leave
 /// zeros that are no surface.
 fn has_surface(lattice: &Lattice, zeros: &[[f64; 3]], sampler: &mut Sampler) -> Result<bool, Error> {
     /// How far to both sides is looked, in cells.

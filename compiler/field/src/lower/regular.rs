@@ -1,7 +1,7 @@
-//! Regularised Booleans: what solids whose faces lie in each other come to.
+//! Regularised Booleans: the result where faces of operands coincide.
 //!
 //! Theory: A Boolean means the closure of the interior of what the sets come to (Requicha, "Representations for Rigid Solids",
-//! 1980). The greatest of a and −b is 0 all over faces that lie in each other, which is a skin without thickness. A face
+//! 1980). The greatest of a and −b is 0 all over coincident faces, which is a skin without thickness. A face
 //! that can't matter is therefore moved out of the way. A cut is A \ B = A \ (B ∪ Z), if Z has at most its surface in common
 //! with A; so the face of a cutter that A doesn't cross is moved out of A. Operands of a joint that all lie within C and
 //! have faces in it come to C ∩ (A′ ∪ᵣ B′), where those faces are moved out. Of a union A ∪ B = (A ∪ Z) ∪ B, if Z lies in
@@ -190,7 +190,7 @@ impl Lowering {
         None
     }
 
-    /// What operands have in common without those that hold another one; none if two of them only touch.
+    /// The operands of an intersection; none if a plane parts two of them, so that nothing is left.
     pub(super) fn meet(&mut self, operands: Vec<NodeId>, context: &Context) -> Option<Vec<NodeId>> {
         if operands.len() * operands.len() > MOST_PAIRS {
             return Some(operands);

@@ -60,7 +60,7 @@ impl Face {
         Some(Face::Flat { normal: *normal, offset: offset.clone().plus(by, 1.0) })
     }
 
-    /// Whether two faces lie in each other, to a tolerance, and bound the same side.
+    /// Whether two faces coincide, to a tolerance, and bound the same side.
     pub(super) fn is(&self, other: &Face, tolerance: f64) -> bool {
         let near = |a: &Linear, b: &Linear| a.clone().plus(b, -1.0).range().magnitude() <= tolerance;
         match (self, other) {
